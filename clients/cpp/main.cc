@@ -1,0 +1,49 @@
+// dualarm: plan and verify motions of two arms from the command line.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "clients/cpp/health_command.h"
+#include "clients/cpp/interruption.h"
+#include "clients/cpp/plan_command.h"
+#include "clients/cpp/verify_command.h"
+
+namespace dualarm {
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("Time-optimal, verified motions for two arms that share a workspace.", "dualarm");
+  app.require_subcommand(1);
+  PlanCommand plan;
+  VerifyCommand verify;
+  HealthCommand health;
+  CLI::App* plan_app = app.add_subcommand("plan", "plan the fastest verified motion of a request");
+  CLI::App* verify_app = app.add_subcommand("verify", "verify a motion at every instant");
+  CLI::App* health_app = app.add_subcommand("health", "ask whether a server is serving");
+  plan.add_to(*plan_app);
+  verify.add_to(*verify_app);
+  health.add_to(*health_app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitStatus::kInvalid);
+  }
+  const Interruption interruption;
+  if (plan_app->parsed()) return static_cast<int>(plan.run(interruption));
+  if (verify_app->parsed()) return static_cast<int>(verify.run(interruption));
+  return static_cast<int>(health.run(interruption));
+}
+
+}  // namespace
+}  // namespace dualarm
+
+int main(int argc, char** argv) {
+  try {
+    return dualarm::run(argc, argv);
+  } catch (const dualarm::CommandError& error) {
+    std::cerr << "dualarm: " << error.what() << std::endl;
+    return static_cast<int>(error.status());
+  } catch (const std::exception& error) {
+    std::cerr << "dualarm: " << error.what() << std::endl;
+    return static_cast<int>(dualarm::ExitStatus::kFailure);
+  }
+}

@@ -1,0 +1,96 @@
+#include "clients/cpp/plan_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "clients/cpp/interruption.h"
+#include "clients/cpp/json_file.h"
+#include "clients/cpp/plan_report.h"
+#include "clients/cpp/plan_svg.h"
+#include "clients/cpp/plan_table.h"
+#include "clients/cpp/planning_client.h"
+
+namespace dualarm {
+namespace {
+
+using namespace planning::v1;
+
+ExitStatus exit_status_of(const PlanMotionResponse& response) {
+  if (response.has_infeasible()) return ExitStatus::kNegative;
+  if (response.has_undecided()) return ExitStatus::kUndecided;
+  return ExitStatus::kDone;
+}
+
+// What people call the request in `file`.
+std::string scenario_name(const std::string& file) {
+  return file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
+}
+
+}  // namespace
+
+void PlanCommand::add_to(CLI::App& command) {
+  command.add_option("FILE", files, "requests (PlanMotionRequest as JSON, see scenarios/); - is stdin")->required();
+  auto* json_flag = command.add_flag("--json", json, "print the answer as JSON and nothing else; one FILE");
+  command.add_flag("--table", table, "print one row a FILE")->excludes(json_flag);
+  command.add_option("--output", output, "also write the answer as JSON to this file; one FILE");
+  command.add_option("--svg", svg, "draw the plan in the plane of the joint positions into this file; one FILE");
+  command.add_option("--svg-folder", svg_folder, "draw every plan into this folder, as <name of FILE>.svg")
+      ->check(CLI::ExistingDirectory);
+  add_connection_options(command, connection);
+  command.footer(
+      "Exit status, the worst of all FILEs: 0 plan, 2 usage or invalid request, 3 infeasible, 4 undecided or "
+      "no answer in time, 5 server not reachable.");
+  command.callback([this] {
+    if (files.size() > 1 && (json || !output.empty() || !svg.empty())) {
+      throw CLI::ValidationError("--json, --output and --svg", "take exactly one FILE");
+    }
+  });
+}
+
+ExitStatus PlanCommand::run(const Interruption& interruption) const {
+  const PlanningClient client(connection, interruption.token());
+  if (table) std::cout << table_header() << std::flush;
+  ExitStatus worst = ExitStatus::kDone;
+  for (const std::string& file : files) {
+    try {
+      worst = std::max(worst, plan_one(client, file));
+    } catch (const CommandError& error) {
+      if (files.size() == 1 || error.status() == ExitStatus::kInterrupted) throw;
+      worst = std::max(worst, error.status());
+      if (table) std::cout << table_row(scenario_name(file), error.what()) << std::flush;
+      std::cerr << "dualarm: " << file << ": " << error.what() << std::endl;
+    }
+  }
+  return worst;
+}
+
+ExitStatus PlanCommand::plan_one(const PlanningClient& client, const std::string& file) const {
+  PlanMotionRequest request;
+  read_json(file, request);
+  const PlanMotionResponse response = client.plan(request);
+  if (!output.empty()) write_text(output, json_of(response));
+  if (json) {
+    std::cout << json_of(response) << std::flush;
+  } else if (table) {
+    std::cout << table_row(scenario_name(file), response) << std::flush;
+  } else {
+    std::cout << plan_report(scenario_name(file), response) << std::endl;
+  }
+  draw(client, file, request, response);
+  return exit_status_of(response);
+}
+
+void PlanCommand::draw(const PlanningClient& client, const std::string& file, const PlanMotionRequest& request,
+                       const PlanMotionResponse& response) const {
+  if (svg.empty() && svg_folder.empty()) return;
+  const std::string drawing =
+      plan_svg(scenario_name(file), request, response, client.forbidden_region(region_request_for(request)));
+  if (!svg.empty()) write_text(svg, drawing);
+  if (!svg_folder.empty()) {
+    write_text((std::filesystem::path(svg_folder) / (scenario_name(file) + ".svg")).string(), drawing);
+  }
+}
+
+}  // namespace dualarm

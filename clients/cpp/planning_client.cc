@@ -1,0 +1,102 @@
+#include "clients/cpp/planning_client.h"
+
+#include <google/protobuf/wrappers.pb.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/security/credentials.h>
+
+#include <chrono>
+#include <future>
+#include <thread>
+#include <utility>
+
+#include "clients/cpp/command_error.h"
+
+namespace dualarm {
+namespace {
+
+using namespace planning::v1;
+
+constexpr int kConnectTimeoutMilliseconds = 5000;
+constexpr auto kStartTimeout = std::chrono::seconds(5);  // from the first connection to SERVING
+
+std::shared_ptr<grpc::Channel> open_channel(const std::string& address) {
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kConnectTimeoutMilliseconds);
+  arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);  // the address given is the address meant
+  arguments.SetMaxReceiveMessageSize(-1);           // a plan of any length is welcome
+  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
+}
+
+}  // namespace
+
+PlanningClient::PlanningClient(const ConnectionOptions& options, std::stop_token stop)
+    : server_name_(options.server), timeout_s_(options.timeout_s), stop_(std::move(stop)) {
+  if (options.server.empty()) {
+    local_server_.emplace(stop_);
+    server_name_ = "the private dualarm-server";
+  }
+  channel_ = open_channel(local_server_ ? local_server_->address() : options.server);
+  stub_ = PlanningService::NewStub(channel_);
+  if (local_server_) wait_until_serving();
+}
+
+PlanningClient::~PlanningClient() = default;
+
+void PlanningClient::wait_until_serving() const {
+  const auto deadline = std::chrono::steady_clock::now() + kStartTimeout;
+  while (!is_serving(PlanningService::service_full_name())) {
+    if (std::chrono::steady_clock::now() > deadline) {
+      throw CommandError(ExitStatus::kUnreachable, server_name_ + " has started but does not serve");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+template <typename Response, typename Send>
+Response PlanningClient::call(Send send) const {
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() +
+                       std::chrono::microseconds(static_cast<std::int64_t>(1e6 * timeout_s_)));
+  const std::stop_callback cancel(stop_, [&context] { context.TryCancel(); });
+  Response response;
+  const grpc::Status status = send(&context, &response);
+  if (!status.ok()) throw error_of_call(status, server_name_);
+  return response;
+}
+
+PlanMotionResponse PlanningClient::plan(const PlanMotionRequest& request) const {
+  return call<PlanMotionResponse>(
+      [&](auto* context, auto* response) { return stub_->PlanMotion(context, request, response); });
+}
+
+VerifyMotionResponse PlanningClient::verify(const VerifyMotionRequest& request) const {
+  return call<VerifyMotionResponse>(
+      [&](auto* context, auto* response) { return stub_->VerifyMotion(context, request, response); });
+}
+
+GetForbiddenRegionResponse PlanningClient::forbidden_region(const GetForbiddenRegionRequest& request) const {
+  return call<GetForbiddenRegionResponse>(
+      [&](auto* context, auto* response) { return stub_->GetForbiddenRegion(context, request, response); });
+}
+
+// grpc.health.v1 in well-known wrappers, which are the same bytes, so that the client needs no generated health code:
+// HealthCheckRequest is one string, field 1; HealthCheckResponse is one enum, field 1, in which SERVING is 1.
+bool PlanningClient::is_serving(const std::string& service) const {
+  using google::protobuf::Int32Value;
+  using google::protobuf::StringValue;
+  StringValue request;
+  request.set_value(service);
+  grpc::TemplatedGenericStub<StringValue, Int32Value> health(channel_);
+  const auto answer = call<Int32Value>([&](auto* context, auto* response) {
+    std::promise<grpc::Status> status;
+    health.UnaryCall(context, "/grpc.health.v1.Health/Check", {}, &request, response,
+                     [&status](grpc::Status outcome) { status.set_value(std::move(outcome)); });
+    const grpc::Status outcome = status.get_future().get();
+    // A service that the server does not know (yet) is not serving: no error, and the answer is UNKNOWN.
+    return outcome.error_code() == grpc::StatusCode::NOT_FOUND ? grpc::Status::OK : outcome;
+  });
+  return answer.value() == 1;
+}
+
+}  // namespace dualarm

@@ -1,0 +1,46 @@
+// A square plot with axes, as SVG text: knows drawing, no arms.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/cpp/plot_view.h"
+
+namespace dualarm {
+
+/// Draws in the order of the calls. Numbers become pixels with two decimals.
+class SvgPlot {
+ public:
+  /// The axes' ranges (min < max) and their titles. Equal scales on both axes; the longer range fills the side.
+  SvgPlot(const PlotView& view, const std::string& x_title, const std::string& y_title);
+
+  /// Polygons filled by the even-odd rule, as one shape.
+  void fill(const std::vector<std::vector<PlotPoint>>& polygons, const std::string& style);
+  void polyline(const std::vector<PlotPoint>& points, const std::string& style);
+  void circle(PlotPoint centre, double radius_pixels, const std::string& style);
+  /// Two lines of text above the plot.
+  void title(const std::string& title, const std::string& subtitle);
+  /// An entry of the legend on the right: a sample of `symbol` (SVG elements drawn in a box of 28 by 14 pixels whose
+  /// upper left corner is the origin) and its text.
+  void legend(const std::string& symbol, const std::string& text);
+  /// A line of small text under the legend.
+  void note(const std::string& text);
+
+  /// The whole document.
+  std::string document() const;
+
+ private:
+  double pixel_x(double x) const;
+  double pixel_y(double y) const;
+  std::string path_data(const std::vector<PlotPoint>& points) const;
+  void draw_axes(const std::string& x_title, const std::string& y_title);
+
+  PlotView view_;
+  double scale_;  ///< pixels per unit
+  std::string back_;
+  std::string inside_;  ///< clipped to the plot's frame
+  std::string outside_;
+  double next_legend_y_;
+};
+
+}  // namespace dualarm

@@ -1,0 +1,49 @@
+#include "clients/cpp/wording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dualarm {
+namespace {
+
+using namespace planning::v1;
+
+// "REASON_START_IN_COLLISION" without "REASON_", in small letters, `between` for each underscore.
+std::string plain(const std::string& name, const std::string& prefix, char between) {
+  std::string text = name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [between](char c) { return c == '_' ? between : static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+std::string words_for(Method method) { return plain(Method_Name(method), "METHOD_", '-'); }
+
+std::string words_for(Reason reason) { return plain(Reason_Name(reason), "REASON_", ' '); }
+
+std::string claim_sentence(const Plan& plan) {
+  const Certificate& certificate = plan.certificate();
+  switch (certificate.claim()) {
+    case CLAIM_OPTIMAL:
+      return "Proven optimal: no motion of any kind is faster.";
+    case CLAIM_OPTIMAL_MONOTONE:
+      return "No motion in which each arm only moves towards its goal, or waits, is faster.";
+    default:
+      return fmt::format("A faster motion may exist; this one is at most {:.2f} % above the proven lower bound.",
+                         100.0 * certificate.gap());
+  }
+}
+
+std::string seconds(double value) { return fmt::format("{:.6f} s", value); }
+
+std::string degrees(double radians) { return fmt::format("{:.2f} deg", to_degrees(radians)); }
+
+std::string clearance(double metres) { return std::isinf(metres) ? "unlimited" : fmt::format("{:.6f} m", metres); }
+
+double to_degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+}  // namespace dualarm

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <ompl/base/Goal.h>
+#include <ompl/base/OptimizationObjective.h>
+
+#include "core/fallback/steering.h"
+
+namespace dualarm {
+
+/// Both arms at rest at given positions (rad), whenever that is.
+class RestGoal final : public ompl::base::Goal {
+ public:
+  RestGoal(const ompl::base::SpaceInformationPtr& space, const JointPair& positions)
+      : Goal(space), positions_(positions) {}
+
+  const JointPair& positions() const { return positions_; }
+  bool isSatisfied(const ompl::base::State* state) const override;
+
+ private:
+  JointPair positions_;
+};
+
+/// The cost of a path is the time (s) it ends at. Its cost-to-go is minimum_time to a RestGoal: exact for each arm
+/// alone, never more than what both need.
+class ArrivalTime final : public ompl::base::OptimizationObjective {
+ public:
+  explicit ArrivalTime(const ompl::base::SpaceInformationPtr& space);
+
+  ompl::base::Cost stateCost(const ompl::base::State* state) const override;
+  ompl::base::Cost motionCost(const ompl::base::State* from, const ompl::base::State* to) const override;
+  ompl::base::Cost motionCostHeuristic(const ompl::base::State* from, const ompl::base::State* to) const override;
+};
+
+}  // namespace dualarm

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <utility>
+
+namespace dualarm {
+
+/// How long a computation may go on: until a deadline, or until its caller no longer wants the answer. Cheap to poll;
+/// every loop that can be long does. Safe to poll from any thread if `cancelled` is.
+class Budget {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Without limit and never cancelled.
+  Budget() = default;
+
+  explicit Budget(Clock::time_point deadline, std::function<bool()> cancelled = {})
+      : deadline_(deadline), cancelled_(std::move(cancelled)) {}
+
+  bool cancelled() const { return cancelled_ && cancelled_(); }
+  bool exhausted() const { return cancelled() || (deadline_ != Clock::time_point::max() && Clock::now() >= deadline_); }
+  Clock::time_point deadline() const { return deadline_; }
+
+ private:
+  Clock::time_point deadline_ = Clock::time_point::max();
+  std::function<bool()> cancelled_;
+};
+
+}  // namespace dualarm

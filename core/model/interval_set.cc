@@ -1,0 +1,54 @@
+#include "core/model/interval_set.h"
+
+#include <algorithm>
+
+namespace dualarm {
+
+IntervalSet::IntervalSet(std::vector<Interval> intervals) {
+  std::erase_if(intervals, [](const Interval& interval) { return interval.empty(); });
+  std::sort(intervals.begin(), intervals.end(),
+            [](const Interval& left, const Interval& right) { return left.lower < right.lower; });
+  for (const Interval& interval : intervals) {
+    if (!intervals_.empty() && interval.lower <= intervals_.back().upper) {
+      intervals_.back().upper = std::max(intervals_.back().upper, interval.upper);
+    } else {
+      intervals_.push_back(interval);
+    }
+  }
+}
+
+bool IntervalSet::contains(double value) const {
+  return std::any_of(intervals_.begin(), intervals_.end(), [&](const Interval& i) { return i.contains(value); });
+}
+
+bool IntervalSet::contains_inside(double value) const {
+  return std::any_of(intervals_.begin(), intervals_.end(),
+                     [&](const Interval& i) { return i.lower < value && value < i.upper; });
+}
+
+bool IntervalSet::covers(Interval interval) const {
+  return std::any_of(intervals_.begin(), intervals_.end(),
+                     [&](const Interval& i) { return i.lower <= interval.lower && interval.upper <= i.upper; });
+}
+
+IntervalSet IntervalSet::complement(Interval within) const {
+  std::vector<Interval> gaps;
+  double from = within.lower;
+  for (const Interval& interval : intervals_) {
+    if (interval.upper < within.lower || interval.lower > within.upper) continue;
+    if (interval.lower >= from) gaps.push_back({from, interval.lower});
+    from = interval.upper;
+  }
+  if (from <= within.upper) gaps.push_back({from, within.upper});
+  // An infinite end is not a point that anything can stand on.
+  std::erase_if(gaps, [](const Interval& gap) { return gap.lower == gap.upper && gap.lower - gap.lower != 0.0; });
+  return IntervalSet(std::move(gaps));
+}
+
+IntervalSet unite(const IntervalSet& first, const IntervalSet& second) {
+  std::vector<Interval> all = first.intervals();
+  all.insert(all.end(), second.intervals().begin(), second.intervals().end());
+  return IntervalSet(std::move(all));
+}
+
+}  // namespace dualarm

@@ -1,0 +1,123 @@
+#include "core/phase_plane/arc_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+
+namespace dualarm {
+namespace {
+
+/// Relative error at which the quadrature of a time stops subdividing: a digit above rounding.
+constexpr double kQuadratureTolerance = 1e-13;
+/// Subdivisions allowed for motions that nearly stall on the way.
+constexpr unsigned kQuadratureDepth = 15;
+/// By how much, relative to the arc, an integration may miss the arc's end before its steps are halved, and how often:
+/// motions that nearly stall magnify rounding, and no step is short enough for them.
+constexpr double kEndTolerance = 1e-11;
+constexpr int kMostParts = 16;
+
+}  // namespace
+
+ArcMotion::ArcMotion(const System& system, const Arc& arc) : system_(system), arc_(arc) {
+  const bool rising = arc.end.position > arc.start.position;
+  extreme_ = (arc.kind == ArcKind::kAccelerate) == rising ? Extreme::kHighest : Extreme::kLowest;
+  from_start_ = std::abs(arc.start.velocity) <= std::abs(arc.end.velocity);
+  anchor_ = from_start_ ? arc.start : arc.end;
+  away_ = from_start_ == rising ? 1.0 : -1.0;
+}
+
+double ArcMotion::acceleration(double position) const {
+  return arc_.kind == ArcKind::kCruise ? 0.0 : system_.extreme_acceleration(extreme_, position);
+}
+
+double ArcMotion::speed_squared(double change) const {
+  return anchor_.velocity * anchor_.velocity + 2.0 * system_.specific_work(extreme_, anchor_.position, change);
+}
+
+/// d(root)/dt at position = anchor +- root^2: what is left of the speed when the singularity of a rest end is gone.
+double ArcMotion::speed_near_anchor(double root) const {
+  return std::sqrt(std::max(speed_squared(away_ * root * root), 0.0)) / (2.0 * root);
+}
+
+double ArcMotion::time_from_anchor(double root) const {
+  if (root <= 0.0) return 0.0;
+  // Over [-1, 1], always: on shorter intervals Boost 1.74 compares an error of the unit interval with a tolerance of
+  // the short one and subdivides to the last level.
+  const double half = 0.5 * root;
+  return half * boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
+                    [&](double at) { return 1.0 / speed_near_anchor(half * (1.0 + at)); }, -1.0, 1.0, kQuadratureDepth,
+                    kQuadratureTolerance);
+}
+
+double ArcMotion::duration() const {
+  const double travel = std::abs(arc_.end.position - arc_.start.position);
+  return arc_.kind == ArcKind::kCruise ? travel / std::abs(arc_.start.velocity) : time_from_anchor(std::sqrt(travel));
+}
+
+double ArcMotion::time_at(double position) const {
+  if (arc_.kind == ArcKind::kCruise) {
+    return arc_.start_time + (position - arc_.start.position) / arc_.start.velocity;
+  }
+  const double time = time_from_anchor(std::sqrt(std::max(0.0, away_ * (position - anchor_.position))));
+  return from_start_ ? arc_.start_time + time : arc_.end_time - time;
+}
+
+JointState ArcMotion::at(double time) const {
+  if (arc_.kind == ArcKind::kCruise) {
+    return {arc_.start.position + arc_.start.velocity * (time - arc_.start_time), arc_.start.velocity};
+  }
+  const double wanted = from_start_ ? time - arc_.start_time : arc_.end_time - time;
+  const double whole = arc_.end_time - arc_.start_time;
+  const double travel = std::abs(arc_.end.position - arc_.start.position);
+  double low = 0.0;
+  double high = std::sqrt(travel);
+  double root = high * std::clamp(wanted / whole, 0.0, 1.0);
+  // Newton in the root coordinate, where a start from rest is a straight line; bisection keeps it inside.
+  for (int i = 0; i < 60 && root > 0.0; ++i) {
+    const double excess = time_from_anchor(root) - wanted;
+    (excess > 0.0 ? high : low) = root;
+    const double step = -excess * speed_near_anchor(root);
+    if (std::abs(step) <= 1e-15 * root || high - low <= 1e-15 * high) break;
+    const double next = root + step;
+    root = low < next && next < high ? next : 0.5 * (low + high);
+  }
+  const double change = away_ * root * root;
+  const double sign = arc_.end.position > arc_.start.position ? 1.0 : -1.0;
+  return {anchor_.position + change, sign * std::sqrt(std::max(0.0, speed_squared(change)))};
+}
+
+std::vector<JointState> ArcMotion::states(int count) const {
+  const double step = (arc_.end_time - arc_.start_time) / count;
+  std::vector<JointState> states(count + 1, arc_.start);
+  if (arc_.kind == ArcKind::kCruise) {
+    for (int i = 1; i < count; ++i) states[i].position += arc_.start.velocity * step * i;
+  } else {
+    // The end is known in closed form: an integration that misses it was too coarse.
+    double miss = integrate(states, step, 1);
+    for (int parts = 2; miss > kEndTolerance && parts <= kMostParts; parts *= 2) miss = integrate(states, step, parts);
+  }
+  states.back() = arc_.end;
+  return states;
+}
+
+/// Fills in the states after the first, each interval of `step` s in `parts` steps; returns by how much the last one
+/// misses the arc's end, relative to the arc.
+double ArcMotion::integrate(std::vector<JointState>& states, double step, int parts) const {
+  using State = std::array<double, 2>;
+  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
+  const auto rate_of = [this](const State& state, State& rate, double) {
+    rate = {state[1], system_.extreme_acceleration(extreme_, state[0])};
+  };
+  State state = {arc_.start.position, arc_.start.velocity};
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    for (int part = 0; part < parts; ++part) stepper.do_step(rate_of, state, 0.0, step / parts);
+    states[i] = {state[0], state[1]};
+  }
+  const double travel = std::abs(arc_.end.position - arc_.start.position);
+  const double speed = std::max(std::abs(arc_.start.velocity), std::abs(arc_.end.velocity));
+  return std::max(std::abs(state[0] - arc_.end.position) / travel, std::abs(state[1] - arc_.end.velocity) / speed);
+}
+
+}  // namespace dualarm

@@ -1,0 +1,166 @@
+#include "core/planner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+
+#include "core/coordination/diagram.h"
+#include "core/coordination/start_times.h"
+#include "core/fallback/state_time_planner.h"
+#include "core/phase_plane/time_optimal.h"
+#include "core/refusal.h"
+#include "core/systems/playback.h"
+
+namespace dualarm {
+namespace {
+
+/// Added to the demanded clearance while planning, m: optimal plans touch the forbidden set, and the proof that they
+/// keep the demanded clearance ends only if there is some room (theory, section 5).
+constexpr double kPlanningMargin = 1e-4;
+/// A plan this close to its lower bound, relative, is at it: rounding of quadratures and sums.
+constexpr double kAtBound = 1e-9;
+
+double seconds_since(Budget::Clock::time_point start) {
+  return std::chrono::duration<double>(Budget::Clock::now() - start).count();
+}
+
+/// One planning run: its problem, what was found out so far, and what it cost.
+class Run {
+ public:
+  Run(const Problem& problem, const Budget& budget)
+      : problem_(problem),
+        budget_(budget),
+        arms_{loaded_arm(problem, 0), loaded_arm(problem, 1)},
+        systems_{SingleJointArm(arms_[0]), SingleJointArm(arms_[1])} {}
+
+  Outcome answer() {
+    auto found = analytic();
+    statistics_.analytic_seconds = seconds_since(begin_) - statistics_.verification_seconds;
+    if (!found) found = search();
+    statistics_.planning_seconds = seconds_since(begin_);
+    return {found ? std::move(*found) : undecided(), statistics_};
+  }
+
+ private:
+  using Answer = decltype(Outcome::answer);
+
+  std::optional<Answer> analytic() {
+    const double clearance = problem_.options.clearance + kPlanningMargin;
+    for (int i = 0; i < kArmCount; ++i) {
+      const Task& task = problem_.tasks[i];
+      auto motion = fastest_motion(systems_[i], task.start.position, task.goal.position);
+      if (const auto* blocked = std::get_if<Blocked>(&motion)) return refuse_blocked(arms_[i], systems_[i], *blocked);
+      fastest_.push_back(std::get<FastestMotion>(std::move(motion)));
+    }
+    if (auto refusal = refuse_end_states(problem_, clearance, kPlanningMargin)) return *refusal;
+    if (auto refusal = refuse_paper_set(problem_, clearance)) return *refusal;
+    if (auto refusal = refuse_sweeps(problem_, clearance)) return *refusal;
+    return wait(clearance);
+  }
+
+  /// The fastest motions, one of them delayed where they would collide. Theory, section 3.
+  std::optional<Answer> wait(double clearance) {
+    const PlanOptions& options = problem_.options;
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const Profile& first = fastest_[0].profile;
+    const Profile& second = fastest_[1].profile;
+    safe_delays_ =
+        forbidden_delays(ForbiddenSet(problem_, clearance), first, second).complement({-kInfinity, kInfinity});
+    const double longest = options.allows(Method::kDelay)          ? options.max_start_delay
+                           : options.allows(Method::kSimultaneous) ? 0.0
+                                                                   : -1.0;
+    if (const auto times = best_start_times(safe_delays_, first.duration(), second.duration(), longest)) {
+      const bool waits = times->first + times->second > 0.0 || !options.allows(Method::kSimultaneous);
+      return verified(waits ? Method::kDelay : Method::kSimultaneous, times->duration,
+                      {std::vector{TimedProfile{times->first, first}}, {TimedProfile{times->second, second}}});
+    }
+    tried_.push_back("start delays: none that is allowed avoids a collision of the fastest motions");
+    if (!may_search()) return refuse_delays(problem_, safe_delays_);
+    return std::nullopt;
+  }
+
+  /// The search knows the exact set only.
+  bool may_search() const {
+    return problem_.options.allows(Method::kStateTime) && problem_.options.region_model == RegionModel::kExact;
+  }
+
+  /// Motions with rests on the way, by search. Theory, section 6.
+  std::optional<Answer> search() {
+    if (!may_search()) return std::nullopt;
+    const auto start = Budget::Clock::now();
+    const SearchResult result =
+        search_state_time(problem_, {&systems_[0], &systems_[1]}, problem_.options.clearance + kPlanningMargin,
+                          kDefaultEvaluationLimit, budget_);
+    statistics_.fallback_seconds = seconds_since(start);
+    statistics_.fallback_evaluation_count = result.evaluation_count;
+    std::ostringstream line;
+    line << "state-time search: " << result.evaluation_count << " evaluations, "
+         << (result.schedule ? "a schedule found" : "no schedule found")
+         << (result.budget_ran_out ? ", stopped by the budget" : "");
+    tried_.push_back(line.str());
+    if (!result.schedule) return std::nullopt;
+    return verified(Method::kStateTime, result.duration, *result.schedule);
+  }
+
+  /// The motions as they are sent, if they pass verification; nothing else leaves the house.
+  std::optional<Answer> verified(Method method, double duration, const Schedule& schedule) {
+    Plan plan;
+    plan.duration = duration;
+    plan.method = method;
+    for (int i = 0; i < kArmCount; ++i) {
+      plan.trajectory[i] = play(arms_[i], systems_[i], schedule[i], duration, problem_.options.knot_period);
+    }
+    const auto start = Budget::Clock::now();
+    plan.verification = verify(problem_, plan.trajectory, budget_);
+    statistics_.verification_seconds += seconds_since(start);
+    statistics_.distance_query_count += plan.verification.distance_query_count;
+    if (!plan.verification.holds()) {
+      tried_.push_back("a plan was found but not verified: " + plan.verification.violations.front().explanation);
+      return std::nullopt;
+    }
+    plan.certificate = certificate(duration);
+    return plan;
+  }
+
+  double lower_bound() const { return std::max(fastest_[0].lower_bound, fastest_[1].lower_bound); }
+
+  Certificate certificate(double duration) const {
+    Certificate certificate;
+    certificate.lower_bound = lower_bound();
+    certificate.gap = duration > 0.0 ? std::max(0.0, duration / certificate.lower_bound - 1.0) : 0.0;
+    certificate.safe_start_delays = safe_delays_;
+    const double monotone_bound = std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration());
+    if (duration <= lower_bound() * (1.0 + kAtBound)) {
+      certificate.claim = Claim::kOptimal;
+    } else if (duration <= monotone_bound * (1.0 + kAtBound)) {
+      certificate.claim = Claim::kOptimalMonotone;
+    }
+    return certificate;
+  }
+
+  Answer undecided() const {
+    Undecided answer;
+    answer.explanation =
+        "No plan was found and none is excluded; allow more methods or a larger planning budget, or try another seed.";
+    answer.tried = tried_;
+    answer.seconds_spent = statistics_.planning_seconds;
+    answer.best_lower_bound = lower_bound();
+    return answer;
+  }
+
+  const Problem& problem_;
+  const Budget& budget_;
+  std::array<Arm, kArmCount> arms_;
+  std::array<SingleJointArm, kArmCount> systems_;
+  Budget::Clock::time_point begin_ = Budget::Clock::now();
+  std::vector<FastestMotion> fastest_;
+  IntervalSet safe_delays_;
+  std::vector<std::string> tried_;
+  Statistics statistics_;
+};
+
+}  // namespace
+
+Outcome plan(const Problem& problem, const Budget& budget) { return Run(problem, budget).answer(); }
+
+}  // namespace dualarm

@@ -1,0 +1,212 @@
+#include "core/refusal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/coordination/forbidden_set.h"
+#include "geometry/clearance.h"
+
+namespace dualarm {
+namespace {
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+/// All arguments one after another, numbers with six digits.
+template <class... Parts>
+std::string sentence(const Parts&... parts) {
+  std::ostringstream text;
+  text.precision(6);
+  (text << ... << parts);
+  return text.str();
+}
+
+InfeasibleReason reason_of(BlockReason reason) {
+  switch (reason) {
+    case BlockReason::kStartOutsideRange:
+      return InfeasibleReason::kStartOutsideRange;
+    case BlockReason::kGoalOutsideRange:
+      return InfeasibleReason::kGoalOutsideRange;
+    case BlockReason::kStartNotHoldable:
+      return InfeasibleReason::kStartNotHoldable;
+    case BlockReason::kGoalNotHoldable:
+      return InfeasibleReason::kGoalNotHoldable;
+    case BlockReason::kStalls:
+    case BlockReason::kCannotBrake:
+      return InfeasibleReason::kTorqueTooSmall;
+  }
+  throw std::logic_error("unknown block reason");
+}
+
+std::string what_fails(BlockReason reason) {
+  switch (reason) {
+    case BlockReason::kStartNotHoldable:
+      return "cannot be held at its start";
+    case BlockReason::kGoalNotHoldable:
+      return "cannot be held at its goal";
+    case BlockReason::kStalls:
+      return "stalls on the way even with full torque";
+    case BlockReason::kCannotBrake:
+      return "cannot be braked to rest at its goal, not even with full torque";
+    default:
+      return "has an end outside its joint range";
+  }
+}
+
+Infeasible outside_range(const Arm& arm, const Blocked& blocked) {
+  const double excess = blocked.position < arm.joint_range.lower ? arm.joint_range.lower - blocked.position
+                                                                 : blocked.position - arm.joint_range.upper;
+  const char* which = blocked.reason == BlockReason::kStartOutsideRange ? "start" : "goal";
+  Evidence evidence;
+  evidence.arm = arm.name;
+  evidence.position = blocked.position;
+  evidence.relaxation = excess;
+  return {reason_of(blocked.reason),
+          sentence("The ", which, " of ", arm.name, ", ", blocked.position, " rad (", degrees(blocked.position),
+                   " deg), lies outside its joint range [", arm.joint_range.lower, ", ", arm.joint_range.upper,
+                   "] rad by ", excess, " rad; move it or widen the range."),
+          evidence};
+}
+
+struct PlacedPair {
+  const Body* first;
+  const Body* second;
+  double distance;
+};
+
+/// The closest pair of bodies when both arms stand at given positions.
+std::optional<PlacedPair> closest_pair(const std::array<std::vector<Body>, kArmCount>& placed_arms,
+                                       const std::vector<Body>& fixed) {
+  std::optional<PlacedPair> closest;
+  const auto consider = [&](const Body& first, const Body& second) {
+    const double distance = clearance(first.capsule, second.capsule).distance;
+    if (!closest || distance < closest->distance) closest = {&first, &second, distance};
+  };
+  for (const Body& first : placed_arms[0]) {
+    for (const Body& second : placed_arms[1]) consider(first, second);
+  }
+  for (const auto& arm : placed_arms) {
+    for (const Body& moving : arm) {
+      for (const Body& standing : fixed) consider(moving, standing);
+    }
+  }
+  return closest;
+}
+
+std::vector<Body> placed_bodies(const Problem& problem, int arm, double position) {
+  std::vector<Body> bodies = moving_bodies(problem, arm);
+  for (Body& body : bodies) body.capsule = placed(body.capsule, link_pose(problem.arms[arm].base, position));
+  return bodies;
+}
+
+}  // namespace
+
+Infeasible refuse_blocked(const Arm& arm, const SingleJointArm& system, const Blocked& blocked) {
+  if (blocked.reason == BlockReason::kStartOutsideRange || blocked.reason == BlockReason::kGoalOutsideRange) {
+    return outside_range(arm, blocked);
+  }
+  const double needed = system.torque(blocked.position, 0.0);
+  const double available = blocked.extreme == Extreme::kLowest ? arm.torque.lower : arm.torque.upper;
+  Evidence evidence;
+  evidence.arm = arm.name;
+  evidence.position = blocked.position;
+  evidence.needed_torque = needed;
+  evidence.available_torque = available;
+  evidence.relaxation = std::abs(needed - available);
+  return {reason_of(blocked.reason),
+          sentence(arm.name, " ", what_fails(blocked.reason), ": at ", blocked.position, " rad (",
+                   degrees(blocked.position), " deg) gravity needs ", needed, " N m and ", available,
+                   " N m are available; give the drive more torque or the arm less load."),
+          evidence};
+}
+
+std::optional<Infeasible> refuse_end_states(const Problem& problem, double clearance, double margin) {
+  const std::vector<Body> fixed = fixed_bodies(problem);
+  for (const bool at_goal : {false, true}) {
+    std::array<std::vector<Body>, kArmCount> arms;
+    for (int i = 0; i < kArmCount; ++i) {
+      const Task& task = problem.tasks[i];
+      arms[i] = placed_bodies(problem, i, at_goal ? task.goal.position : task.start.position);
+    }
+    const std::optional<PlacedPair> pair = closest_pair(arms, fixed);
+    if (!pair || pair->distance >= clearance) continue;
+    Evidence evidence;
+    evidence.first_body = pair->first->name;
+    evidence.second_body = pair->second->name;
+    evidence.depth = clearance - pair->distance;
+    evidence.relaxation = evidence.depth;
+    return Infeasible{at_goal ? InfeasibleReason::kGoalInCollision : InfeasibleReason::kStartInCollision,
+                      sentence("In the ", at_goal ? "goal" : "start", ", ", pair->first->name, " and ",
+                               pair->second->name, " are ", pair->distance, " m apart, and ", clearance - margin,
+                               " m of clearance and ", margin, " m of planning margin are demanded; move the ",
+                               at_goal ? "goal" : "start", " or demand less clearance."),
+                      evidence};
+  }
+  return std::nullopt;
+}
+
+std::optional<Infeasible> refuse_paper_set(const Problem& problem, double clearance) {
+  if (problem.options.region_model != RegionModel::kPaper) return std::nullopt;
+  const ForbiddenSet forbidden(problem, clearance);
+  for (const bool at_goal : {false, true}) {
+    const auto position = [&](int i) {
+      return at_goal ? problem.tasks[i].goal.position : problem.tasks[i].start.position;
+    };
+    if (!forbidden.contains(position(0), position(1))) continue;
+    Evidence evidence;
+    evidence.first_body = problem.arms[0].name;
+    evidence.second_body = problem.arms[1].name;
+    return Infeasible{
+        at_goal ? InfeasibleReason::kGoalInCollision : InfeasibleReason::kStartInCollision,
+        sentence("The ", at_goal ? "goal" : "start", " (", degrees(position(0)), ", ", degrees(position(1)),
+                 ") deg lies in the paper's forbidden set R_c, although the arms "
+                 "keep their clearance there; ask for REGION_MODEL_EXACT."),
+        evidence};
+  }
+  return std::nullopt;
+}
+
+std::optional<Infeasible> refuse_sweeps(const Problem& problem, double clearance) {
+  const std::vector<Body> fixed = fixed_bodies(problem);
+  for (int i = 0; i < kArmCount; ++i) {
+    const auto [low, high] = std::minmax({problem.tasks[i].start.position, problem.tasks[i].goal.position});
+    for (const Body& moving : moving_bodies(problem, i)) {
+      for (const Body& standing : fixed) {
+        const IntervalSet blocked =
+            blocked_positions(problem.arms[i].base, moving.capsule, standing.capsule, clearance, {low, high});
+        if (blocked.empty()) continue;
+        const Interval first = blocked.intervals().front();
+        Evidence evidence;
+        evidence.arm = problem.arms[i].name;
+        evidence.position = first.lower;
+        evidence.first_body = moving.name;
+        evidence.second_body = standing.name;
+        return Infeasible{InfeasibleReason::kObjectInSweep,
+                          sentence(standing.name, " stands in the way of ", moving.name, " (", problem.arms[i].name,
+                                   "): from ", first.lower, " to ", first.upper, " rad they are closer than ",
+                                   clearance, " m, between start and goal; move the object or the goal."),
+                          evidence};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Infeasible refuse_delays(const Problem& problem, const IntervalSet& safe_delays) {
+  const double allowed = problem.options.max_start_delay;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Interval& safe : safe_delays.intervals()) {
+    smallest = std::min(smallest, std::abs(std::clamp(0.0, safe.lower, safe.upper)));
+  }
+  Evidence evidence;
+  if (std::isfinite(smallest)) evidence.relaxation = smallest - allowed;
+  return {InfeasibleReason::kNoCoordination,
+          std::isfinite(smallest)
+              ? sentence("The smallest delay that avoids a collision is ", smallest, " s, and ", allowed,
+                         " s and the named methods are allowed; allow more delay or more methods.")
+              : sentence("Whichever arm waits, and however long, the fastest motions collide, and no other method is "
+                         "allowed; allow METHOD_STATE_TIME, which needs REGION_MODEL_EXACT."),
+          evidence};
+}
+
+}  // namespace dualarm

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "core/model/interval_set.h"
+#include "core/phase_plane/time_optimal.h"
+#include "core/plan.h"
+#include "core/systems/single_joint_arm.h"
+
+namespace dualarm {
+
+/// The answer for an arm that has no motion, with angle and torques.
+Infeasible refuse_blocked(const Arm& arm, const SingleJointArm& system, const Blocked& blocked);
+
+/// The answer if the start or the goal lies in the paper's set, where RegionModel::kPaper asks for it.
+std::optional<Infeasible> refuse_paper_set(const Problem& problem, double clearance);
+
+/// The answer if bodies are closer than `clearance` (m) in the start or in the goal. `margin` (m) is how much of the
+/// clearance is the planner's own, above the demanded one.
+std::optional<Infeasible> refuse_end_states(const Problem& problem, double clearance, double margin);
+
+/// The answer if a fixed object stands between start and goal of an arm: with one joint, every motion has to pass it.
+std::optional<Infeasible> refuse_sweeps(const Problem& problem, double clearance);
+
+/// The answer if every delay up to the allowed one collides and no other method is allowed.
+Infeasible refuse_delays(const Problem& problem, const IntervalSet& safe_delays);
+
+}  // namespace dualarm

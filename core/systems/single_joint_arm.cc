@@ -1,0 +1,61 @@
+#include "core/systems/single_joint_arm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dualarm {
+
+SingleJointArm::SingleJointArm(const Arm& arm)
+    : inertia_(arm.inertia),
+      gravity_(arm.gravity),
+      torque_(arm.torque),
+      range_(arm.joint_range),
+      velocity_(arm.velocity) {}
+
+Interval SingleJointArm::acceleration(double s) const {
+  const double held = gravity_.amplitude * std::sin(s - gravity_.phase);
+  return {(torque_.lower - held) / inertia_, (torque_.upper - held) / inertia_};
+}
+
+Interval SingleJointArm::acceleration_bounds() const {
+  Interval bounds = acceleration(range_.lower);
+  const auto include = [&](double s) {
+    const Interval here = acceleration(s);
+    bounds = {std::min(bounds.lower, here.lower), std::max(bounds.upper, here.upper)};
+  };
+  include(range_.upper);
+  // Gravity is extreme a quarter of a turn from where the arm hangs, on either side.
+  const double quarter = gravity_.phase + 0.5 * std::numbers::pi;
+  for (double s = quarter + std::numbers::pi * std::ceil((range_.lower - quarter) / std::numbers::pi);
+       s <= range_.upper; s += std::numbers::pi) {
+    include(s);
+  }
+  return bounds;
+}
+
+double SingleJointArm::specific_work(Extreme extreme, double from, double change) const {
+  // cos(b) - cos(a) as a product of sines: near rest the difference of cosines would lose all digits.
+  const double cosine_change = -2.0 * std::sin(from + 0.5 * change - gravity_.phase) * std::sin(0.5 * change);
+  return (limit(extreme) * change + gravity_.amplitude * cosine_change) / inertia_;
+}
+
+std::vector<double> SingleJointArm::zeros(Extreme extreme, Interval within) const {
+  const double ratio = limit(extreme) / gravity_.amplitude;
+  if (!(std::abs(ratio) < 1.0)) return {};
+  std::vector<double> found;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const double angle = std::asin(ratio);
+  for (const double base : {gravity_.phase + angle, gravity_.phase + std::numbers::pi - angle}) {
+    for (double s = base + kTurn * std::ceil((within.lower - base) / kTurn); s <= within.upper; s += kTurn) {
+      found.push_back(s);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+double SingleJointArm::torque(double position, double acceleration) const {
+  return inertia_ * acceleration + gravity_.amplitude * std::sin(position - gravity_.phase);
+}
+
+}  // namespace dualarm

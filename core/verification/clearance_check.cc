@@ -1,0 +1,139 @@
+#include "core/verification/clearance_check.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+#include "core/verification/body_pair.h"
+#include "core/verification/sentence.h"
+#include "core/verification/tolerances.h"
+
+namespace dualarm {
+namespace {
+
+/// The smallest distance seen of a pair.
+struct Sighting {
+  double distance = std::numeric_limits<double>::infinity();
+  double time = 0.0;
+  Clearance clearance;
+};
+
+/// A pair during an interval of time, with what is proven about it.
+struct Candidate {
+  std::size_t pair = 0;
+  Interval time;
+  double distance = 0.0;  // in the middle
+  double lower_bound = 0.0;
+
+  bool operator<(const Candidate& other) const { return lower_bound > other.lower_bound; }  // lowest bound on top
+};
+
+class ClearanceSearch {
+ public:
+  ClearanceSearch(const std::vector<BodyPair>& pairs, double demanded)
+      : pairs_(pairs), demanded_(std::max(demanded, kTouching)), sightings_(pairs.size()) {}
+
+  void run(double duration, const Budget& budget) {
+    for (std::size_t pair = 0; pair < pairs_.size(); ++pair) examine(pair, {0.0, duration});
+    while (!is_decided() && !budget.exhausted() && query_count_ < kMostQueries) {
+      const Candidate candidate = candidates_.top();
+      candidates_.pop();
+      const double middle = 0.5 * (candidate.time.lower + candidate.time.upper);
+      examine(candidate.pair, {candidate.time.lower, middle});
+      examine(candidate.pair, {middle, candidate.time.upper});
+    }
+  }
+
+  ClearanceReport report() const {
+    ClearanceReport report;
+    const Candidate& lowest = candidates_.top();
+    report.collision_free = lowest.lower_bound >= demanded_;
+    report.min_clearance = report.collision_free ? lowest.lower_bound : smallest_;
+    report.distance_query_count = query_count_;
+    const auto closest =
+        std::min_element(sightings_.begin(), sightings_.end(),
+                         [](const Sighting& left, const Sighting& right) { return left.distance < right.distance; });
+    report.closest = approach(static_cast<std::size_t>(closest - sightings_.begin()));
+    if (report.collision_free) return report;
+    for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
+      if (sightings_[pair].distance < demanded_) report.violations.push_back(collision(pair));
+    }
+    if (report.violations.empty()) report.violations.push_back(unknown(lowest));
+    return report;
+  }
+
+ private:
+  void examine(std::size_t pair, Interval time) {
+    const DistanceOverTime found = distance_over(pairs_[pair], time);
+    const double distance = found.in_the_middle.distance;
+    candidates_.push({pair, time, distance, found.lower_bound});
+    ++query_count_;
+    if (distance < sightings_[pair].distance) {
+      sightings_[pair] = {distance, 0.5 * (time.lower + time.upper), found.in_the_middle};
+    }
+    if (distance < demanded_ && smallest_ >= demanded_) collision_seen_at_ = query_count_;
+    smallest_ = std::min(smallest_, distance);
+  }
+
+  /// The lowest bound decides: it is good enough, or nothing can make it better.
+  bool is_decided() const {
+    if (smallest_ < demanded_ && query_count_ >= collision_seen_at_ + kEvidenceQueries) return true;
+    const Candidate& lowest = candidates_.top();
+    const double error = pairs_[lowest.pair].error;
+    const bool is_close = lowest.lower_bound >= smallest_ - error - kClearanceResolution;
+    const bool is_final = lowest.time.length() <= kShortestInterval || lowest.lower_bound >= lowest.distance - error;
+    return is_final || (is_close && (lowest.lower_bound >= demanded_ || smallest_ < demanded_));
+  }
+
+  ClosestApproach approach(std::size_t pair) const {
+    const Sighting& sighting = sightings_[pair];
+    return {sighting.time, pairs_[pair].first.body.name, pairs_[pair].second.body.name,
+            sighting.clearance.point_on_first, sighting.clearance.point_on_second};
+  }
+
+  Violation collision(std::size_t pair) const {
+    const Sighting& sighting = sightings_[pair];
+    return {ViolationKind::kClearance,
+            sentence(pairs_[pair].first.body.name, " and ", pairs_[pair].second.body.name, " are ", sighting.distance,
+                     " m apart at ", sighting.time, " s, at (", sighting.clearance.point_on_first.transpose(),
+                     ") and (", sighting.clearance.point_on_second.transpose(), ") m; ", demanded_, " m are demanded"),
+            "",
+            sighting.time,
+            sighting.distance,
+            demanded_};
+  }
+
+  Violation unknown(const Candidate& lowest) const {
+    const BodyPair& pair = pairs_[lowest.pair];
+    const double middle = 0.5 * (lowest.time.lower + lowest.time.upper);
+    return {ViolationKind::kClearanceUnknown,
+            sentence("the clearance of ", pair.first.body.name, " and ", pair.second.body.name, " around ", middle,
+                     " s is not proven after ", query_count_, " distance queries: seen ", lowest.distance,
+                     " m, proven ", lowest.lower_bound, " m, demanded ", demanded_, " m"),
+            "",
+            middle,
+            lowest.lower_bound,
+            demanded_};
+  }
+
+  const std::vector<BodyPair>& pairs_;
+  double demanded_;
+  std::vector<Sighting> sightings_;
+  std::priority_queue<Candidate> candidates_;
+  double smallest_ = std::numeric_limits<double>::infinity();
+  int query_count_ = 0;
+  int collision_seen_at_ = 0;
+};
+
+}  // namespace
+
+ClearanceReport check_clearance(const Problem& problem, const std::array<Interpolant, kArmCount>& motions,
+                                double duration, const Budget& budget) {
+  const Interpolant rest({Knot{}});
+  const std::vector<BodyPair> pairs = pairs_that_may_meet(problem, motions, rest);
+  ClearanceSearch search(pairs, problem.options.clearance);
+  search.run(duration, budget);
+  return search.report();
+}
+
+}  // namespace dualarm

@@ -1,0 +1,113 @@
+#include "core/verification/knot_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/verification/sentence.h"
+#include "core/verification/tolerances.h"
+
+namespace dualarm {
+namespace {
+
+bool finite(const Knot& knot) {
+  return std::isfinite(knot.time) && std::isfinite(knot.position) && std::isfinite(knot.velocity) &&
+         std::isfinite(knot.acceleration) && std::isfinite(knot.torque);
+}
+
+Violation disorder(const ArmTrajectory& motion, double time, std::string explanation) {
+  return {ViolationKind::kKnotOrder, std::move(explanation), motion.arm, time, 0.0, 0.0};
+}
+
+std::optional<Violation> find_disorder(const ArmTrajectory& motion) {
+  const std::vector<Knot>& knots = motion.knots;
+  if (knots.size() < 2) {
+    return disorder(motion, 0.0, sentence(motion.arm, " has ", knots.size(), " knots; a motion has at least two"));
+  }
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    if (!finite(knots[k])) return disorder(motion, 0.0, sentence("knot ", k, " of ", motion.arm, " is not finite"));
+    if (k > 0 && knots[k].time < knots[k - 1].time) {
+      return disorder(motion, knots[k].time,
+                      sentence("time of ", motion.arm, " runs backwards at knot ", k, ": ", knots[k - 1].time,
+                               " s, then ", knots[k].time, " s"));
+    }
+  }
+  if (knots.front().time != 0.0) {
+    return disorder(motion, knots.front().time,
+                    sentence("knots of ", motion.arm, " begin at ", knots.front().time, " s and not at 0"));
+  }
+  return std::nullopt;
+}
+
+std::optional<Violation> find_jump(const ArmTrajectory& motion) {
+  for (std::size_t k = 0; k + 1 < motion.knots.size(); ++k) {
+    const Knot& before = motion.knots[k];
+    const Knot& after = motion.knots[k + 1];
+    if (after.time - before.time > kSameTime) continue;
+    const double jump =
+        std::max(std::abs(after.position - before.position), std::abs(after.velocity - before.velocity));
+    if (jump <= kJumpTolerance) continue;
+    return Violation{ViolationKind::kContinuity,
+                     sentence("position or velocity of ", motion.arm, " jumps by ", jump, " at ", before.time, " s"),
+                     motion.arm,
+                     before.time,
+                     jump,
+                     kJumpTolerance};
+  }
+  return std::nullopt;
+}
+
+std::optional<Violation> compare(const std::string& arm, const char* end, const Knot& knot, const JointState& wanted) {
+  const double off = std::max(std::abs(knot.position - wanted.position), std::abs(knot.velocity - wanted.velocity));
+  if (off <= kStateTolerance) return std::nullopt;
+  return Violation{ViolationKind::kEndState,
+                   sentence(arm, " is at ", knot.position, " rad with ", knot.velocity, " rad/s at its ", end,
+                            "; the task says ", wanted.position, " rad with ", wanted.velocity, " rad/s"),
+                   arm,
+                   knot.time,
+                   off,
+                   kStateTolerance};
+}
+
+}  // namespace
+
+std::vector<Violation> check_knots(const Problem& problem, const Trajectory& trajectory) {
+  std::vector<Violation> violations;
+  for (int i = 0; i < kArmCount; ++i) {
+    const std::string& wanted = problem.arms[i].name;
+    const ArmTrajectory& motion = trajectory[i];
+    if (motion.arm != wanted) {
+      violations.push_back({ViolationKind::kArm,
+                            sentence("trajectory ", i, " is of '", motion.arm, "' where '", wanted, "' is expected"),
+                            motion.arm, 0.0, 0.0, 0.0});
+    }
+    if (const auto disorder_found = find_disorder(motion)) {
+      violations.push_back(*disorder_found);
+    } else if (const auto jump = find_jump(motion)) {
+      violations.push_back(*jump);
+    }
+  }
+  if (!violations.empty()) return violations;
+  const double first_end = trajectory[0].knots.back().time;
+  const double second_end = trajectory[1].knots.back().time;
+  if (first_end != second_end) {
+    violations.push_back({ViolationKind::kKnotOrder,
+                          sentence("knots of ", trajectory[0].arm, " end at ", first_end, " s, those of ",
+                                   trajectory[1].arm, " at ", second_end, " s"),
+                          "", first_end, second_end, first_end});
+  }
+  return violations;
+}
+
+std::vector<Violation> check_end_states(const Problem& problem, const Trajectory& trajectory) {
+  std::vector<Violation> violations;
+  for (int i = 0; i < kArmCount; ++i) {
+    const std::vector<Knot>& knots = trajectory[i].knots;
+    const std::string& arm = problem.arms[i].name;
+    if (const auto off = compare(arm, "start", knots.front(), problem.tasks[i].start)) violations.push_back(*off);
+    if (const auto off = compare(arm, "end", knots.back(), problem.tasks[i].goal)) violations.push_back(*off);
+  }
+  return violations;
+}
+
+}  // namespace dualarm

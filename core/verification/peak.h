@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+
+#include "geometry/interval.h"
+
+namespace dualarm {
+
+/// How much of a limit a value uses: 1 at the limit, more outside, 0 where nothing is used.
+class Share {
+ public:
+  /// By side: value / upper above zero, value / lower below; nothing is used of an infinite limit. Limits that do not
+  /// contain zero are judged from their middle.
+  static Share by_side(Interval limits);
+
+  /// Distance from the middle of the limits over half their width.
+  static Share from_middle(Interval limits);
+
+  double of(double value) const;
+
+  /// Upper bound on the change of the share for a unit of the value.
+  double per_unit() const;
+
+ private:
+  Share(double origin, Interval limits) : origin_(origin), limits_(limits) {}
+
+  double origin_;
+  Interval limits_;
+};
+
+/// A quantity along a stretch of time, as functions of time (s).
+struct Quantity {
+  std::function<double(double)> value;
+  std::function<double(Interval)> curvature;  ///< bound on the magnitude of the second derivative, unit/s2
+  double rounding = 0.0;                      ///< what the last digits of the knots may do to the value
+};
+
+/// Searches the largest share of a limit that a quantity uses, and proves it: over an interval of length h a quantity
+/// stays within curvature * h^2 / 8 of its chord. Intervals whose bound could still exceed what is attained are halved.
+class PeakSearch {
+ public:
+  /// The proven peak exceeds the attained one by at most `slack` (share, relative above 1).
+  PeakSearch(Share share, double slack) : share_(share), slack_(slack) {}
+
+  /// A value that is taken at a time.
+  void visit(double time, double value);
+
+  /// All that the quantity does during an interval of time.
+  void visit(const Quantity& quantity, Interval time);
+
+  double proven() const { return proven_; }  ///< upper bound on the share
+  double value() const { return value_; }    ///< of the quantity where the largest share was seen
+  double time() const { return time_; }      ///< s, where that is
+
+ private:
+  void search(const Quantity& quantity, Interval time, double start, double end, int halvings);
+  void attain(double time, double value, double share);
+
+  Share share_;
+  double slack_;
+  double attained_ = -1.0;
+  double proven_ = 0.0;
+  double value_ = 0.0;
+  double time_ = 0.0;
+};
+
+}  // namespace dualarm

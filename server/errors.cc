@@ -1,0 +1,110 @@
+#include "server/errors.h"
+
+#include <fmt/format.h>
+#include <google/protobuf/util/time_util.h>
+#include <grpcpp/support/error_details.h>
+
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+
+namespace dualarm {
+namespace {
+
+// Together, with base64 for the details and the names of the metadata, below 8 KiB.
+constexpr std::size_t kMostMessageBytes = 2000;
+constexpr std::size_t kMostDetailBytes = 3600;
+constexpr std::size_t kFramingBytes = 8;               // of one violation in protobuf
+constexpr std::chrono::milliseconds kRetryDelay{500};  // about the time in which a worker takes up a queued request
+
+google::rpc::ErrorInfo error_info(std::string_view reason) {
+  google::rpc::ErrorInfo info;
+  info.set_reason(std::string(reason));
+  info.set_domain("dualarm");
+  return info;
+}
+
+// `summary` is what the details repeat of the message.
+template <typename... Details>
+grpc::Status status(grpc::StatusCode code, const std::string& message, const std::string& summary,
+                    const Details&... details) {
+  google::rpc::Status rich;
+  rich.set_code(code);
+  rich.set_message(summary);
+  (rich.add_details()->PackFrom(details), ...);
+  return {code, message, rich.SerializeAsString()};
+}
+
+// gRPC sends a message percent-encoded: three bytes for '%' and whatever is not printable ASCII.
+std::size_t encoded_size(std::string_view message) {
+  std::size_t size = 0;
+  for (const char character : message) size += character >= ' ' && character <= '~' && character != '%' ? 1 : 3;
+  return size;
+}
+
+std::string headline(const Violations& violations) {
+  return fmt::format("{} violation{}", violations.count(), violations.count() == 1 ? "" : "s");
+}
+
+std::string listing(const Violations& violations) {
+  std::string text = headline(violations);
+  std::size_t bytes = text.size();
+  std::size_t shown = 0;
+  for (const FieldViolation& violation : violations.kept()) {
+    const std::string item = fmt::format("{} {} {}", shown == 0 ? ":" : ";", violation.field, violation.description);
+    bytes += encoded_size(item);
+    if (bytes > kMostMessageBytes) break;
+    text += item;
+    ++shown;
+  }
+  if (shown < violations.count()) text += fmt::format("; and {} more", violations.count() - shown);
+  return text;
+}
+
+google::rpc::BadRequest bad_request(const Violations& violations) {
+  google::rpc::BadRequest request;
+  std::size_t bytes = 0;
+  for (const FieldViolation& violation : violations.kept()) {
+    bytes += violation.field.size() + violation.description.size() + kFramingBytes;
+    if (bytes > kMostDetailBytes) break;
+    auto& added = *request.add_field_violations();
+    added.set_field(violation.field);
+    added.set_description(violation.description);
+  }
+  return request;
+}
+
+}  // namespace
+
+grpc::Status invalid_argument(const Violations& violations) {
+  google::rpc::ErrorInfo info = error_info("INVALID_REQUEST");
+  (*info.mutable_metadata())["violation_count"] = std::to_string(violations.count());
+  return status(grpc::StatusCode::INVALID_ARGUMENT, listing(violations), headline(violations), bad_request(violations),
+                info);
+}
+
+grpc::Status overloaded() {
+  google::rpc::RetryInfo retry;
+  *retry.mutable_retry_delay() = google::protobuf::util::TimeUtil::MillisecondsToDuration(kRetryDelay.count());
+  const std::string message =
+      fmt::format("all workers are busy and the queue is full: try again in {} ms", kRetryDelay.count());
+  return status(grpc::StatusCode::RESOURCE_EXHAUSTED, message, message, retry, error_info("QUEUE_FULL"));
+}
+
+grpc::Status not_served(std::string_view rpc, std::string_view instead) {
+  const std::string message = fmt::format("{} is not served by this version: {}", rpc, instead);
+  return status(grpc::StatusCode::UNIMPLEMENTED, message, message, error_info("NOT_SERVED"));
+}
+
+grpc::Status cancelled() {
+  const std::string message = "the caller no longer waits for the answer";
+  return status(grpc::StatusCode::CANCELLED, message, message, error_info("CANCELLED"));
+}
+
+grpc::Status internal_error(const std::string& id) {
+  google::rpc::ErrorInfo info = error_info("BUG");
+  (*info.mutable_metadata())["id"] = id;
+  const std::string message = fmt::format("a bug of dualarm-server; its log holds the request under the id {}", id);
+  return status(grpc::StatusCode::INTERNAL, message, message, info);
+}
+
+}  // namespace dualarm

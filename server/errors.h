@@ -1,0 +1,32 @@
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "server/request/violations.h"
+
+namespace dualarm {
+
+/// Error statuses of the service. Each carries a google.rpc.Status with ErrorInfo (domain "dualarm") and the details
+/// named here.
+
+/// INVALID_ARGUMENT: a BadRequest with every violation, which the message lists too. Both are cut to what fits into the
+/// 8 KiB of metadata that gRPC clients take by default; ErrorInfo's metadata "violation_count" says how many there are.
+grpc::Status invalid_argument(const Violations& violations);
+
+/// RESOURCE_EXHAUSTED: a RetryInfo.
+grpc::Status overloaded();
+
+/// UNIMPLEMENTED: `instead` says what serves the purpose.
+grpc::Status not_served(std::string_view rpc, std::string_view instead);
+
+/// CANCELLED: nobody waits for the answer any more.
+grpc::Status cancelled();
+
+/// INTERNAL: a bug, logged under `id`.
+grpc::Status internal_error(const std::string& id);
+
+}  // namespace dualarm

@@ -1,0 +1,49 @@
+#include "server/listen_address.h"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstring>
+#include <string_view>
+
+namespace dualarm {
+namespace {
+
+constexpr std::string_view kUnixScheme = "unix:";
+
+}  // namespace
+
+bool is_unix_address(const std::string& address) { return address.starts_with(kUnixScheme); }
+
+bool is_local_address(const std::string& address) {
+  constexpr std::array<std::string_view, 3> kLoopback = {"127.", "localhost:", "[::1]:"};
+  if (is_unix_address(address)) return true;
+  for (const std::string_view prefix : kLoopback) {
+    if (address.starts_with(prefix)) return true;
+  }
+  return false;
+}
+
+bool is_unix_address_taken(const std::string& address) {
+  std::string path = address.substr(kUnixScheme.size());
+  if (path.starts_with("//")) path.erase(0, 2);
+  sockaddr_un name = {};
+  name.sun_family = AF_UNIX;
+  if (path.size() >= sizeof(name.sun_path)) return false;  // gRPC refuses it
+  std::memcpy(name.sun_path, path.data(), path.size());
+  const int probe = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (probe < 0) return false;
+  const bool taken = connect(probe, reinterpret_cast<const sockaddr*>(&name), sizeof(name)) == 0;
+  close(probe);
+  return taken;
+}
+
+std::string bound_address(const std::string& address, int port) {
+  const std::size_t colon = address.rfind(':');
+  if (is_unix_address(address) || colon == std::string::npos) return address;
+  return address.substr(0, colon + 1) + std::to_string(port);
+}
+
+}  // namespace dualarm

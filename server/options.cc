@@ -1,0 +1,57 @@
+#include "server/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <thread>
+
+namespace dualarm {
+namespace {
+
+constexpr int kUsageError = 2;
+
+void add_options(CLI::App& app, ServerOptions& options) {
+  app.set_version_flag("--version", "dualarm-server " DUALARM_VERSION);
+  app.option_defaults()->always_capture_default();
+  app.add_option("--listen", options.listen, "HOST:PORT (port 0: any free one) or unix:PATH")
+      ->envname("DUALARM_LISTEN");
+  app.add_option("--port-file", options.port_file, "Write the bound port to this file")->envname("DUALARM_PORT_FILE");
+  app.add_flag("--allow-insecure-remote", options.allow_insecure_remote,
+               "Serve plaintext on addresses other than loopback and unix sockets")
+      ->envname("DUALARM_ALLOW_INSECURE_REMOTE");
+  app.add_option("--max-message-mib", options.max_message_mib, "Largest request in MiB")
+      ->envname("DUALARM_MAX_MESSAGE_MIB")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--worker-threads", options.worker_threads, "Computations at once")
+      ->envname("DUALARM_WORKER_THREADS")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--queue-capacity", options.queue_capacity, "Requests that may wait for a worker")
+      ->envname("DUALARM_QUEUE_CAPACITY")
+      ->check(CLI::Range(0, 1'000'000));
+  app.add_option("--planning-budget", options.planning_budget, "Longest computation of one call in seconds")
+      ->envname("DUALARM_PLANNING_BUDGET")
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--drain-seconds", options.drain_seconds,
+                 "What running calls get to finish after SIGTERM or SIGINT, in seconds")
+      ->envname("DUALARM_DRAIN_SECONDS")
+      ->check(CLI::Range(0.0, 3600.0));
+  app.add_option("--log-level", options.log_level, "How much is logged to stderr")
+      ->envname("DUALARM_LOG_LEVEL")
+      ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}));
+}
+
+}  // namespace
+
+std::variant<ServerOptions, ExitStatus> read_options(int argc, const char* const* argv) {
+  ServerOptions options;
+  options.worker_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  CLI::App app("Plans time-optimal, verified motions of two arms over gRPC", "dualarm-server");
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return ExitStatus{app.exit(error) == 0 ? 0 : kUsageError};
+  }
+  return options;
+}
+
+}  // namespace dualarm

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+namespace dualarm {
+
+/// How the server runs. Each can be given by flag or by environment variable (DUALARM_ and the flag's name in capitals
+/// with underscores); the flag wins. `dualarm-server --help` prints the table.
+struct ServerOptions {
+  std::string listen = "127.0.0.1:50051";  ///< HOST:PORT (port 0: any free one) or unix:PATH
+  std::string port_file;                   ///< where to write the bound port; empty: nowhere
+  bool allow_insecure_remote = false;      ///< plaintext beyond loopback and unix sockets
+  int max_message_mib = 4;                 ///< largest request, MiB
+  int worker_threads = 1;                  ///< computations at once
+  int queue_capacity = 64;                 ///< requests that may wait for a worker
+  double planning_budget = 10.0;           ///< s, longest computation of one call
+  double drain_seconds = 10.0;             ///< s, that running calls get to finish after SIGTERM or SIGINT
+  std::string log_level = "info";
+};
+
+/// The process ends at once with this status: help or version was asked for (0), or the options are wrong (2). What
+/// there is to say has been printed.
+struct ExitStatus {
+  int value = 0;
+};
+
+std::variant<ServerOptions, ExitStatus> read_options(int argc, const char* const* argv);
+
+}  // namespace dualarm

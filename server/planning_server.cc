@@ -1,0 +1,64 @@
+#include "server/planning_server.h"
+
+#include <fmt/format.h>
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
+#include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/server_builder.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "server/listen_address.h"
+
+namespace dualarm {
+namespace {
+
+std::chrono::nanoseconds nanoseconds(double seconds) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+}
+
+void check_address(const ServerOptions& options) {
+  if (!is_local_address(options.listen) && !options.allow_insecure_remote) {
+    throw std::runtime_error(
+        fmt::format("{} can be reached from other machines, and this server speaks plaintext: listen on 127.0.0.1, or "
+                    "say --allow-insecure-remote where something else protects it",
+                    options.listen));
+  }
+  if (is_unix_address(options.listen) && is_unix_address_taken(options.listen)) {
+    throw std::runtime_error(fmt::format("another server listens on {}", options.listen));
+  }
+}
+
+}  // namespace
+
+PlanningServer::PlanningServer(const ServerOptions& options, PlanningFunctions functions)
+    : pool_(options.worker_threads, options.queue_capacity),
+      service_(std::move(functions), pool_, nanoseconds(options.planning_budget)) {
+  check_address(options);
+  grpc::EnableDefaultHealthCheckService(true);
+  grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+  grpc::ServerBuilder builder;
+  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);  // else a second server shares the port in silence
+  builder.SetMaxReceiveMessageSize(options.max_message_mib * 1024 * 1024);
+  builder.AddListeningPort(options.listen, grpc::InsecureServerCredentials(), &port_);
+  builder.RegisterService(&service_);
+  server_ = builder.BuildAndStart();
+  if (server_ == nullptr || port_ == 0) {
+    throw std::runtime_error(fmt::format(
+        "cannot listen on {}: the address is taken, not allowed, or not one of this machine", options.listen));
+  }
+  address_ = bound_address(options.listen, port_);
+  server_->GetHealthCheckService()->SetServingStatus(wire::PlanningService::service_full_name(), true);
+}
+
+PlanningServer::~PlanningServer() { drain(std::chrono::nanoseconds::zero()); }
+
+void PlanningServer::drain(std::chrono::nanoseconds patience) {
+  if (server_ == nullptr) return;
+  server_->GetHealthCheckService()->Shutdown();
+  server_->Shutdown(std::chrono::system_clock::now() + patience);
+  server_->Wait();
+  server_.reset();
+}
+
+}  // namespace dualarm

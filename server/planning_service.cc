@@ -1,0 +1,109 @@
+#include "server/planning_service.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "server/errors.h"
+#include "server/request/requests.h"
+#include "server/response/responses.h"
+#include "server/unary_call.h"
+
+namespace dualarm {
+namespace {
+
+// A call that ends as soon as it begins.
+template <typename Reactor>
+class RefusedCall final : public Reactor {
+ public:
+  explicit RefusedCall(const grpc::Status& status) { this->Finish(status); }
+  void OnDone() override { delete this; }
+};
+
+Answer refusal(const Violations& violations) {
+  return {invalid_argument(violations), fmt::format("{} violations", violations.count())};
+}
+
+std::string note_on(const wire::PlanMotionResponse& response) {
+  switch (response.outcome_case()) {
+    case wire::PlanMotionResponse::kPlan:
+      return fmt::format("plan {} duration_s={:.6f} gap={:.2e}", wire::Method_Name(response.plan().method()),
+                         response.plan().duration_s(), response.plan().certificate().gap());
+    case wire::PlanMotionResponse::kInfeasible:
+      return fmt::format("infeasible {}", wire::Reason_Name(response.infeasible().reason()));
+    case wire::PlanMotionResponse::kUndecided:
+      return "undecided";
+    case wire::PlanMotionResponse::OUTCOME_NOT_SET:
+      break;
+  }
+  return "valid";
+}
+
+}  // namespace
+
+PlanningService::PlanningService(PlanningFunctions functions, WorkerPool& pool,
+                                 std::chrono::nanoseconds longest_planning)
+    : functions_(std::move(functions)), pool_(pool), longest_planning_(longest_planning) {}
+
+grpc::ServerUnaryReactor* PlanningService::PlanMotion(grpc::CallbackServerContext* context,
+                                                      const wire::PlanMotionRequest* request,
+                                                      wire::PlanMotionResponse* response) {
+  return UnaryCall::start(pool_, "PlanMotion", *context, *request, [this, request, response](const UnaryCall& call) {
+    const Parsed<PlanWish> parsed = parse(*request);
+    if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
+    const auto& wish = std::get<PlanWish>(parsed);
+    if (!wish.validate_only) {
+      const Budget budget = call.budget(std::min(wish.budget.value_or(longest_planning_), longest_planning_));
+      *response = response_message(functions_.plan(wish.problem, budget));
+    }
+    return Answer{grpc::Status::OK, note_on(*response)};
+  });
+}
+
+grpc::ServerUnaryReactor* PlanningService::VerifyMotion(grpc::CallbackServerContext* context,
+                                                        const wire::VerifyMotionRequest* request,
+                                                        wire::VerifyMotionResponse* response) {
+  return UnaryCall::start(pool_, "VerifyMotion", *context, *request, [this, request, response](const UnaryCall& call) {
+    const Parsed<VerifyWish> parsed = parse(*request);
+    if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
+    const auto& wish = std::get<VerifyWish>(parsed);
+    const Verification verification =
+        functions_.verify(wish.problem, wish.trajectory, call.budget(longest_planning_), wish.check_end_states);
+    *response = response_message(verification);
+    return Answer{grpc::Status::OK, verification.holds() ? "holds" : "does not hold"};
+  });
+}
+
+grpc::ServerUnaryReactor* PlanningService::GetForbiddenRegion(grpc::CallbackServerContext* context,
+                                                              const wire::GetForbiddenRegionRequest* request,
+                                                              wire::GetForbiddenRegionResponse* response) {
+  return UnaryCall::start(pool_, "GetForbiddenRegion", *context, *request, [this, request, response](const UnaryCall&) {
+    const Parsed<RegionWish> parsed = parse(*request);
+    if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
+    const auto& wish = std::get<RegionWish>(parsed);
+    *response = response_message(functions_.forbidden_region(wish.problem, wish.resolution), wish.problem);
+    return Answer{grpc::Status::OK, fmt::format("{} contours", response->contours_size())};
+  });
+}
+
+grpc::ServerUnaryReactor* PlanningService::GetPhasePortrait(grpc::CallbackServerContext* /*context*/,
+                                                            const wire::GetPhasePortraitRequest* /*request*/,
+                                                            wire::GetPhasePortraitResponse* /*response*/) {
+  return new RefusedCall<grpc::ServerUnaryReactor>(
+      not_served("GetPhasePortrait", "the arcs of a plan by PlanMotion hold the fastest motions of both arms"));
+}
+
+grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanningService::PlanMotionStream(
+    grpc::CallbackServerContext* /*context*/, const wire::PlanMotionStreamRequest* /*request*/) {
+  return new RefusedCall<grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>>(
+      not_served("PlanMotionStream", "call PlanMotion, which answers once with the same outcome"));
+}
+
+grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>* PlanningService::PlanMotionBatch(
+    grpc::CallbackServerContext* /*context*/) {
+  return new RefusedCall<grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>>(
+      not_served("PlanMotionBatch", "call PlanMotion once for each request"));
+}
+
+}  // namespace dualarm

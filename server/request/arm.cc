@@ -1,0 +1,96 @@
+#include "server/request/arm.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "server/request/dynamics.h"
+#include "server/request/limits.h"
+
+namespace dualarm {
+namespace {
+
+Base read_base(const wire::Base& message, const Field& field) {
+  Base base;
+  base.position = {field.number("x_m", message.x_m(), ranges::kCoordinate),
+                   field.number("y_m", message.y_m(), ranges::kCoordinate),
+                   field.number("z_m", message.z_m(), ranges::kCoordinate)};
+  base.heading = field.number("heading_rad", message.heading_rad(), ranges::kAngle);
+  switch (message.rotation()) {
+    case wire::ROTATION_UNSPECIFIED:
+    case wire::ROTATION_COUNTERCLOCKWISE:
+      base.rotation = Rotation::kCounterclockwise;
+      break;
+    case wire::ROTATION_CLOCKWISE:
+      base.rotation = Rotation::kClockwise;
+      break;
+    default:
+      field.complain("rotation", fmt::format("is {}, must be ROTATION_COUNTERCLOCKWISE or ROTATION_CLOCKWISE",
+                                             static_cast<int>(message.rotation())));
+  }
+  return base;
+}
+
+void check_acceleration(const Arm& arm, const Field& field) {
+  if (arm.torque.length() <= 0.0 || arm.inertia < ranges::kTotalInertia.min) return;
+  const double scale = arm.torque.length() / arm.inertia;
+  if (scale < ranges::kAccelerationScale.min || scale > ranges::kAccelerationScale.max) {
+    field.complain(
+        "torque_limit",
+        fmt::format("allows accelerations over {} rad/s^2 at an inertia of {} kg m^2, must be {} to {}: check "
+                    "the units of torque and inertia",
+                    scale, arm.inertia, ranges::kAccelerationScale.min, ranges::kAccelerationScale.max));
+  }
+}
+
+}  // namespace
+
+std::string read_name(const std::string& name, const Field& field) {
+  const bool printable = std::all_of(name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  if (name.empty()) {
+    field.complain_missing("name", "give one, so that answers can tell what they are about");
+  } else if (!printable || name.size() > ranges::kLongestName) {
+    field.complain("name", fmt::format("is {}, must be at most {} printable ASCII characters", quoted(name),
+                                       ranges::kLongestName));
+  }
+  return name;
+}
+
+Arm read_arm(const wire::Arm& message, const Field& field) {
+  Arm arm;
+  arm.name = read_name(message.name(), field);
+  arm.base = read_base(message.base(), field.child("base"));
+  if (message.has_link()) {
+    const Field link = field.child("link");
+    arm.length = link.number("length_m", message.link().length_m(), ranges::kLength);
+    arm.radius = link.number("radius_m", message.link().radius_m(), ranges::kSize);
+  } else {
+    field.complain_missing("link", "give length_m and radius_m");
+  }
+  if (message.has_joint_range()) {
+    arm.joint_range = read_joint_range(message.joint_range(), field.child("joint_range"));
+  }
+  if (message.has_dynamics()) {
+    const Dynamics dynamics = read_dynamics(message.dynamics(), field.child("dynamics"), arm);
+    arm.inertia = dynamics.inertia;
+    arm.gravity = dynamics.gravity;
+    arm.payload_gravity = dynamics.payload_gravity;
+    arm.payload_gravity_phase = dynamics.payload_gravity_phase;
+  } else {
+    field.complain_missing("dynamics", "give mass_kg and moment_of_inertia_kg_m2");
+  }
+  if (message.has_torque_limit()) {
+    arm.torque = read_torque_limit(message.torque_limit(), field.child("torque_limit"));
+  } else {
+    field.complain_missing("torque_limit", "give constant with min_newton_meters and max_newton_meters");
+  }
+  if (message.has_velocity_limit()) {
+    arm.velocity = read_velocity_limit(message.velocity_limit(), field.child("velocity_limit"));
+  } else {
+    field.complain_missing("velocity_limit", "give min_rad_per_s and max_rad_per_s");
+  }
+  if (message.has_dynamics()) check_acceleration(arm, field);
+  return arm;
+}
+
+}  // namespace dualarm

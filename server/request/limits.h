@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/model/arm.h"
+#include "server/request/field.h"
+#include "server/wire.h"
+
+namespace dualarm {
+
+/// Positions in rad, torques in N m, velocities in rad/s. What is wrong is noted on `field`.
+Interval read_joint_range(const wire::JointRange& message, const Field& field);
+Interval read_torque_limit(const wire::TorqueLimit& message, const Field& field);
+Interval read_velocity_limit(const wire::VelocityLimit& message, const Field& field);
+
+}  // namespace dualarm

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <variant>
+
+#include "core/model/problem.h"
+#include "core/model/trajectory.h"
+#include "server/request/violations.h"
+#include "server/wire.h"
+
+namespace dualarm {
+
+/// What a request asks, or everything that is wrong with it.
+template <typename Wish>
+using Parsed = std::variant<Wish, Violations>;
+
+struct PlanWish {
+  Problem problem;
+  std::optional<std::chrono::nanoseconds> budget;
+  bool validate_only = false;
+};
+
+struct VerifyWish {
+  Problem problem;
+  Trajectory trajectory;
+  bool check_end_states = false;
+};
+
+struct RegionWish {
+  Problem problem;
+  int resolution = 0;
+};
+
+Parsed<PlanWish> parse(const wire::PlanMotionRequest& message);
+Parsed<VerifyWish> parse(const wire::VerifyMotionRequest& message);
+Parsed<RegionWish> parse(const wire::GetForbiddenRegionRequest& message);
+
+}  // namespace dualarm

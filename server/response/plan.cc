@@ -1,0 +1,143 @@
+#include "server/response/plan.h"
+
+#include <stdexcept>
+
+#include "server/response/verification.h"
+
+namespace dualarm {
+namespace {
+
+wire::Method method_message(Method method) {
+  switch (method) {
+    case Method::kSimultaneous:
+      return wire::METHOD_SIMULTANEOUS;
+    case Method::kDelay:
+      return wire::METHOD_DELAY;
+    case Method::kPassage:
+      return wire::METHOD_PASSAGE;
+    case Method::kStateTime:
+      return wire::METHOD_STATE_TIME;
+  }
+  throw std::logic_error("a Method without a word on the wire");
+}
+
+wire::ArcKind arc_kind_message(ArcKind kind) {
+  switch (kind) {
+    case ArcKind::kAccelerate:
+      return wire::ARC_KIND_ACCELERATE;
+    case ArcKind::kBrake:
+      return wire::ARC_KIND_BRAKE;
+    case ArcKind::kCruise:
+      return wire::ARC_KIND_CRUISE;
+    case ArcKind::kHold:
+      return wire::ARC_KIND_HOLD;
+  }
+  throw std::logic_error("an ArcKind without a word on the wire");
+}
+
+wire::Claim claim_message(Claim claim) {
+  switch (claim) {
+    case Claim::kOptimal:
+      return wire::CLAIM_OPTIMAL;
+    case Claim::kOptimalMonotone:
+      return wire::CLAIM_OPTIMAL_MONOTONE;
+    case Claim::kGap:
+      return wire::CLAIM_GAP;
+  }
+  throw std::logic_error("a Claim without a word on the wire");
+}
+
+wire::LowerBoundSource source_message(LowerBoundSource source) {
+  switch (source) {
+    case LowerBoundSource::kFastestMotions:
+      return wire::LOWER_BOUND_SOURCE_FASTEST_MOTIONS;
+    case LowerBoundSource::kPassage:
+      return wire::LOWER_BOUND_SOURCE_PASSAGE;
+  }
+  throw std::logic_error("a LowerBoundSource without a word on the wire");
+}
+
+wire::JointState state_message(const JointState& state) {
+  wire::JointState message;
+  message.set_position_rad(state.position);
+  message.set_velocity_rad_per_s(state.velocity);
+  return message;
+}
+
+wire::Arc arc_message(const Arc& arc) {
+  wire::Arc message;
+  message.set_kind(arc_kind_message(arc.kind));
+  message.set_start_time_s(arc.start_time);
+  message.set_end_time_s(arc.end_time);
+  *message.mutable_start() = state_message(arc.start);
+  *message.mutable_end() = state_message(arc.end);
+  return message;
+}
+
+wire::Knots knots_message(const std::vector<Knot>& knots) {
+  wire::Knots message;
+  const int count = static_cast<int>(knots.size());
+  message.mutable_time_s()->Reserve(count);
+  message.mutable_position_rad()->Reserve(count);
+  message.mutable_velocity_rad_per_s()->Reserve(count);
+  message.mutable_acceleration_rad_per_s2()->Reserve(count);
+  message.mutable_torque_newton_meters()->Reserve(count);
+  for (const Knot& knot : knots) {
+    message.add_time_s(knot.time);
+    message.add_position_rad(knot.position);
+    message.add_velocity_rad_per_s(knot.velocity);
+    message.add_acceleration_rad_per_s2(knot.acceleration);
+    message.add_torque_newton_meters(knot.torque);
+  }
+  return message;
+}
+
+wire::ArmTrajectory trajectory_message(const ArmTrajectory& trajectory) {
+  wire::ArmTrajectory message;
+  message.set_arm(trajectory.arm);
+  message.set_start_time_s(trajectory.start_time);
+  message.set_duration_s(trajectory.duration);
+  for (const Arc& arc : trajectory.arcs) *message.add_arcs() = arc_message(arc);
+  *message.mutable_knots() = knots_message(trajectory.knots);
+  return message;
+}
+
+// A gate of the planner fixes the position of the first arm.
+wire::Gate gate_message(const Gate& gate, const std::string& first_arm) {
+  wire::Gate message;
+  message.set_pinned_arm(first_arm);
+  message.set_pinned_position_rad(gate.theta1);
+  message.set_corner_position_rad(gate.theta2);
+  return message;
+}
+
+wire::Certificate certificate_message(const Certificate& certificate, const std::string& first_arm) {
+  wire::Certificate message;
+  message.set_lower_bound_s(certificate.lower_bound);
+  message.set_gap(certificate.gap);
+  message.set_claim(claim_message(certificate.claim));
+  message.set_source(source_message(certificate.source));
+  if (certificate.gate) *message.mutable_gate() = gate_message(*certificate.gate, first_arm);
+  for (const Interval& delays : certificate.safe_start_delays.intervals()) {
+    wire::Interval& interval = *message.add_safe_start_delays_s();
+    interval.set_min(delays.lower);
+    interval.set_max(delays.upper);
+  }
+  return message;
+}
+
+}  // namespace
+
+wire::Plan plan_message(const Plan& plan) {
+  wire::Plan message;
+  message.set_duration_s(plan.duration);
+  message.set_method(method_message(plan.method));
+  for (const ArmTrajectory& trajectory : plan.trajectory) {
+    *message.add_trajectories() = trajectory_message(trajectory);
+  }
+  *message.mutable_certificate() = certificate_message(plan.certificate, plan.trajectory[0].arm);
+  *message.mutable_verification() = verification_message(plan.verification);
+  return message;
+}
+
+}  // namespace dualarm

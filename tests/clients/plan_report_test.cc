@@ -1,0 +1,70 @@
+#include "clients/cpp/plan_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "clients/cpp/plan_table.h"
+#include "tests/clients/sample_answers.h"
+
+namespace dualarm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+TEST(PlanReport, OfAPlanSaysWhenEachArmMovesAndWhatIsProven) {
+  const std::string report = plan_report("two_arms", sample_plan());
+  EXPECT_THAT(report, StartsWith("two_arms: a verified plan\n"));
+  EXPECT_THAT(report, HasSubstr("duration     3.000000 s, method delay"));
+  EXPECT_THAT(report, HasSubstr("lower bound  2.500000 s, gap 20.00 %"));
+  EXPECT_THAT(report, HasSubstr("at most 20.00 % above the proven lower bound"));
+  EXPECT_THAT(report, HasSubstr("left           1.000000 s   2.000000 s      28.65 deg      57.30 deg"));
+  EXPECT_THAT(report,
+              HasSubstr("0.125000 m between left/link and <right>/link at 1.500000 s, proven at every instant"));
+  EXPECT_THAT(report, HasSubstr("took         4.200 ms"));
+  EXPECT_THAT(report, Not(HasSubstr("BROKEN")));
+}
+
+TEST(PlanReport, NamesSafeDelaysAndBrokenDemands) {
+  auto response = sample_plan();
+  auto& delay = *response.mutable_plan()->mutable_certificate()->add_safe_start_delays_s();
+  delay.set_min(-std::numeric_limits<double>::infinity());
+  delay.set_max(-1.0);
+  response.mutable_plan()->mutable_verification()->set_collision_free(false);
+  response.mutable_plan()->mutable_verification()->add_violations()->set_explanation("too close");
+  const std::string report = plan_report("two_arms", response);
+  EXPECT_THAT(report, HasSubstr("<right> may start later than left by [-inf, -1.000000] s"));
+  EXPECT_THAT(report, AllOf(HasSubstr("NOT proven"), HasSubstr("BROKEN       too close")));
+}
+
+TEST(PlanReport, OfARefusalGivesReasonAndExplanation) {
+  const std::string report = plan_report("two_arms", sample_infeasible());
+  EXPECT_THAT(report, StartsWith("two_arms: no plan exists\n"));
+  EXPECT_THAT(report, HasSubstr("reason       torque too small"));
+  EXPECT_THAT(report, HasSubstr("because      left needs 70 N m"));
+}
+
+TEST(PlanTable, PutsEveryNumberUnderItsTitle) {
+  const std::string header = table_header();
+  const std::string row = table_row("two_arms", sample_plan());
+  const auto ends_under = [&](const std::string& title, const std::string& value) {
+    return header.find(title) + title.size() == row.find(value) + value.size();
+  };
+  EXPECT_TRUE(ends_under("duration [s]", "3.000000")) << header << row;
+  EXPECT_TRUE(ends_under("lower bound [s]", "2.500000")) << header << row;
+  EXPECT_TRUE(ends_under("gap [%]", "20.000")) << header << row;
+  EXPECT_TRUE(ends_under("clearance [m]", "0.125000")) << header << row;
+  EXPECT_TRUE(ends_under("took [ms]", "4.200")) << header << row;
+}
+
+TEST(PlanTable, SaysWhyThereIsNoPlan) {
+  EXPECT_THAT(table_row("two_arms", sample_infeasible()), HasSubstr("infeasible    left needs 70 N m"));
+  EXPECT_EQ(table_row("two_arms", "first line\nsecond line"), "two_arms         ERROR         first line\n");
+}
+
+}  // namespace
+}  // namespace dualarm

@@ -1,0 +1,170 @@
+#include "core/coordination/diagram.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/coordination/start_times.h"
+#include "core/phase_plane/time_optimal.h"
+#include "core/systems/single_joint_arm.h"
+#include "tests/support/problems.h"
+
+namespace dualarm {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Both arms of a problem with their fastest motions.
+struct Pair {
+  explicit Pair(const Problem& problem) : systems{SingleJointArm(problem.arms[0]), SingleJointArm(problem.arms[1])} {
+    for (int i = 0; i < kArmCount; ++i) {
+      auto motion = fastest_motion(systems[i], problem.tasks[i].start.position, problem.tasks[i].goal.position);
+      if (auto* fastest = std::get_if<FastestMotion>(&motion)) profiles.push_back(std::move(fastest->profile));
+    }
+  }
+  std::array<SingleJointArm, kArmCount> systems;
+  std::vector<Profile> profiles;
+};
+
+/// Whether two motions collide at one delay, by looking at many instants. Positions are taken from tables, not from the
+/// diagram's own-clock times.
+class BruteForce {
+ public:
+  BruteForce(const Problem& problem, double clearance, const Pair& pair)
+      : forbidden_(problem, clearance), pair_(pair), step_(0.0) {
+    const double longest = std::max(pair.profiles[0].duration(), pair.profiles[1].duration());
+    step_ = longest / 400.0;
+    for (const Profile& profile : pair.profiles) {
+      std::vector<double> table;
+      for (int i = 0; step_ * i < profile.duration() + step_; ++i) table.push_back(profile.at(step_ * i).position);
+      tables_.push_back(std::move(table));
+    }
+  }
+
+  /// Delay in steps of the time grid.
+  bool collides(int delay) const {
+    const int from = std::min(0, delay);
+    const int to = std::max(static_cast<int>(tables_[0].size()), static_cast<int>(tables_[1].size()) + delay);
+    for (int i = from; i <= to; ++i) {
+      const auto position = [&](int arm, int at) {
+        return tables_[arm][std::clamp<int>(at, 0, static_cast<int>(tables_[arm].size()) - 1)];
+      };
+      if (forbidden_.contains(position(0, i), position(1, i - delay))) return true;
+    }
+    return false;
+  }
+
+  double step() const { return step_; }
+
+ private:
+  ForbiddenSet forbidden_;
+  const Pair& pair_;
+  double step_;
+  std::vector<std::vector<double>> tables_;
+};
+
+TEST(ForbiddenDelays, OfThePapersArmsEndAtTheWorkedDelays) {
+  // theory.md, section 4: best delay plan of each row, r = 0.
+  const double rows[][5] = {{30, 60, 60, 30, 1.500925},
+                            {20, 90, 90, 20, 1.793744},
+                            {20, 70, 60, 20, 1.795627},
+                            {10, 80, 60, 15, 1.970339},
+                            {5, 60, 50, 10, 2.208863}};
+  for (const auto& [start1, start2, goal1, goal2, seconds] : rows) {
+    const Problem problem = paper_problem({start1, start2}, {goal1, goal2}, 1e-9);
+    const Pair pair(problem);
+    const IntervalSet delays = forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1]);
+    const auto times = best_start_times(delays.complement({-kInfinity, kInfinity}), pair.profiles[0].duration(),
+                                        pair.profiles[1].duration(), kInfinity);
+    ASSERT_TRUE(times);
+    EXPECT_NEAR(times->duration, seconds, 1e-6) << start1 << " " << start2;
+  }
+}
+
+TEST(ForbiddenDelays, AreAllOfThemForTheRetreat) {
+  const Problem problem = paper_problem({10, 40}, {40, 10}, 1e-9);
+  const Pair pair(problem);
+  const IntervalSet delays = forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1]);
+  EXPECT_TRUE(delays.covers({-kInfinity, kInfinity}));
+}
+
+TEST(ForbiddenDelays, OfAnArmThatStandsInTheWayAreAllOfThem) {
+  const Problem problem = paper_problem({20, 70}, {20, 5}, 0.05);
+  const Pair pair(problem);
+  const IntervalSet delays = forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1]);
+  EXPECT_TRUE(delays.covers({-kInfinity, kInfinity}));
+}
+
+TEST(ForbiddenDelays, AreNoneForArmsOutOfEachOthersReach) {
+  Problem problem = paper_problem({20, 70}, {60, 20}, 0.05);
+  problem.arms[1].base.position.x() = 13.0;
+  const Pair pair(problem);
+  EXPECT_TRUE(forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1]).empty());
+}
+
+TEST(ForbiddenDelays, EqualABruteForceScanOnRandomScenes) {
+  int constrained = 0;
+  for (int scene = 0; constrained < 500; ++scene) {
+    ASSERT_LT(scene, 20000) << "too few scenes need a delay";
+    const Problem problem = random_problem(scene);
+    const Pair pair(problem);
+    if (pair.profiles.size() != 2) continue;
+    const double clearance = problem.options.clearance;
+    const IntervalSet delays = forbidden_delays(ForbiddenSet(problem, clearance), pair.profiles[0], pair.profiles[1]);
+    if (delays.empty() || delays.covers({-kInfinity, kInfinity})) continue;
+    ++constrained;
+    const BruteForce brute(problem, clearance, pair);
+    const int reach = 450;
+    for (int delay = -reach; delay <= reach; delay += 3) {
+      const double value = delay * brute.step();
+      const bool collides = brute.collides(delay);
+      // Never smaller: what the scan sees colliding lies inside the forbidden set.
+      EXPECT_TRUE(!collides || delays.contains(value)) << "scene " << scene << " delay " << value;
+      // None missed: what is forbidden with room to spare on both sides, the scan sees, too. It may look away for a
+      // step, during which the arms may touch by less than they travel in it.
+      const bool deep = delays.covers({value - 2.0 * brute.step(), value + 2.0 * brute.step()});
+      if (deep && !collides) {
+        bool near = false;
+        for (int other = delay - 2; other <= delay + 2; ++other) near = near || brute.collides(other);
+        EXPECT_TRUE(near) << "scene " << scene << " delay " << value;
+      }
+    }
+  }
+}
+
+TEST(ForbiddenDelays, HaveEndsAtWhichTheMotionsTouchExactly) {
+  // Just outside an end the motions keep the clearance, just inside they break it: sought by the finest scan near the
+  // touch instead of by projection.
+  int ends = 0;
+  for (int scene = 0; ends < 100; ++scene) {
+    ASSERT_LT(scene, 20000);
+    const Problem problem = random_problem(scene);
+    const Pair pair(problem);
+    if (pair.profiles.size() != 2) continue;
+    const ForbiddenSet forbidden(problem, problem.options.clearance);
+    for (const Interval& interval : forbidden_delays(forbidden, pair.profiles[0], pair.profiles[1]).intervals()) {
+      for (const double end : {interval.lower, interval.upper}) {
+        if (!std::isfinite(end)) continue;
+        ++ends;
+        const double outward = end == interval.lower ? -1.0 : 1.0;
+        const auto collides = [&](double delay) {
+          const double from = std::min(0.0, delay);
+          const double to = std::max(pair.profiles[0].duration(), pair.profiles[1].duration() + delay);
+          for (int i = 0; i <= 4000; ++i) {
+            const double time = from + (to - from) * i / 4000.0;
+            if (forbidden.contains(pair.profiles[0].at(time).position, pair.profiles[1].at(time - delay).position)) {
+              return true;
+            }
+          }
+          return false;
+        };
+        EXPECT_FALSE(collides(end + outward * 1e-7)) << "scene " << scene << " end " << end;
+        EXPECT_TRUE(collides(end - outward * 2e-3 * pair.profiles[0].duration())) << "scene " << scene << " " << end;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dualarm

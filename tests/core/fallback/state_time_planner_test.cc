@@ -1,0 +1,175 @@
+#include "core/fallback/state_time_planner.h"
+
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include "tests/core/fallback/scenes.h"
+#include "tests/core/fallback/schedule_check.h"
+
+namespace dualarm {
+namespace {
+
+constexpr double kClearance = 1e-4;
+constexpr int kInstants = 2000;
+
+SearchResult search(const Problem& problem, const ArmSystems& arms, int limit = kDefaultEvaluationLimit,
+                    const Budget& budget = {}) {
+  return search_state_time(problem, arms.both(), kClearance, limit, budget);
+}
+
+void expect_same(const SearchResult& left, const SearchResult& right) {
+  ASSERT_TRUE(left.schedule && right.schedule);
+  EXPECT_EQ(left.duration, right.duration);
+  EXPECT_EQ(left.evaluation_count, right.evaluation_count);
+  for (int arm = 0; arm < kArmCount; ++arm) {
+    const auto& motions = (*left.schedule)[arm];
+    const auto& others = (*right.schedule)[arm];
+    ASSERT_EQ(motions.size(), others.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      EXPECT_EQ(motions[i].start_time, others[i].start_time);
+      EXPECT_EQ(motions[i].profile.goal(), others[i].profile.goal());
+    }
+  }
+}
+
+class Retreat : public ::testing::TestWithParam<int> {};
+
+TEST_P(Retreat, IsFoundNearTheProvenBoundWhereNoDelayExists) {
+  Problem problem = retreat_problem();
+  problem.options.seed = GetParam();
+  const ArmSystems arms(problem);
+  const SearchResult result = search(problem, arms);
+  ASSERT_TRUE(result.schedule);
+  expect_consistent(problem, *result.schedule, result.duration);
+  EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
+  EXPECT_GE(result.duration, kRetreatBound);
+  EXPECT_LE(result.duration, 1.05 * kRetreatBound);
+  EXPECT_FALSE(result.budget_ran_out);
+}
+
+INSTANTIATE_TEST_SUITE_P(TwentySeeds, Retreat, ::testing::Range(0, 20));
+
+TEST(SearchStateTime, GivesTheSameScheduleForTheSameSeedAlsoFourAtOnce) {
+  Problem problem = retreat_problem();
+  problem.options.seed = 42;
+  const ArmSystems arms(problem);
+  const SearchResult alone = search(problem, arms, 2000);
+  std::vector<SearchResult> together(4);
+  {
+    std::vector<std::jthread> threads;
+    for (SearchResult& result : together) {
+      threads.emplace_back([&] { result = search(problem, arms, 2000); });
+    }
+  }
+  for (const SearchResult& result : together) expect_same(result, alone);
+}
+
+TEST(SearchStateTime, TellsOmplsConsoleNothing) {
+  class Listener : public ompl::msg::OutputHandler {
+   public:
+    void log(const std::string& text, ompl::msg::LogLevel, const char*, int) override { heard += text + "\n"; }
+    std::string heard;
+  };
+  Listener listener;
+  ompl::msg::OutputHandler* before = ompl::msg::getOutputHandler();
+  ompl::msg::useOutputHandler(&listener);
+  const Problem problem = retreat_problem();
+  const ArmSystems arms(problem);
+  search(problem, arms, 500);
+  const Problem impossible = paper_problem({10.0, 40.0}, {30.0, 30.0});
+  search(impossible, ArmSystems(impossible), 500);
+  ompl::msg::useOutputHandler(before);
+  EXPECT_EQ(listener.heard, "");
+}
+
+TEST(SearchStateTime, StopsSoonAfterItIsCancelled) {
+  const Problem problem = retreat_problem();
+  const ArmSystems arms(problem);
+  std::atomic<bool> cancelled = false;
+  const Budget budget(Budget::Clock::time_point::max(), [&] { return cancelled.load(); });
+  std::chrono::steady_clock::time_point asked;
+  std::jthread impatient([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    asked = std::chrono::steady_clock::now();
+    cancelled = true;
+  });
+  const SearchResult result = search(problem, arms, 100'000'000, budget);
+  impatient.join();
+  EXPECT_TRUE(result.budget_ran_out);
+  EXPECT_LT(result.evaluation_count, 1'000'000);
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(500));
+}
+
+TEST(SearchStateTime, DoesNotBeginWhenItIsCancelledAlready) {
+  const Problem problem = retreat_problem();
+  const ArmSystems arms(problem);
+  const SearchResult result = search(problem, arms, 10'000, Budget({}, [] { return true; }));
+  EXPECT_TRUE(result.budget_ran_out);
+  EXPECT_FALSE(result.schedule);
+  EXPECT_LE(result.evaluation_count, 1);
+}
+
+TEST(SearchStateTime, FindsNothingWhereTheGoalIsBlocked) {
+  const Problem problem = paper_problem({10.0, 40.0}, {30.0, 30.0});
+  const SearchResult result = search(problem, ArmSystems(problem), 1000);
+  EXPECT_FALSE(result.schedule);
+  EXPECT_FALSE(result.budget_ran_out);
+  EXPECT_NEAR(result.evaluation_count, 1000, 600);
+}
+
+TEST(SearchStateTime, FindsNothingWhereTheStartIsBlocked) {
+  const Problem problem = paper_problem({30.0, 30.0}, {10.0, 40.0});
+  EXPECT_FALSE(search(problem, ArmSystems(problem), 1000).schedule);
+}
+
+TEST(SearchStateTime, FindsNothingBehindAWallOfFixedBodies) {
+  // A ball at 4 m from arm 1's joint at 25 degrees: no way from 10 to 40.
+  Problem problem = retreat_problem();
+  problem.objects.push_back(standing_ball(4.0 * std::cos(25.0 * kDegree), 4.0 * std::sin(25.0 * kDegree)));
+  EXPECT_FALSE(search(problem, ArmSystems(problem), 1000).schedule);
+}
+
+TEST(SearchStateTime, KeepsFixedBodiesClear) {
+  // A ball above the place where both arms would like to pass: they have to turn back sooner.
+  Problem problem = retreat_problem();
+  const double up = 54.0 * kDegree;
+  problem.objects.push_back(standing_ball(5.9 * std::cos(up), 5.9 * std::sin(up)));
+  const ArmSystems arms(problem);
+  const SearchResult result = search(problem, arms);
+  ASSERT_TRUE(result.schedule);
+  expect_consistent(problem, *result.schedule, result.duration);
+  EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
+}
+
+TEST(SearchStateTime, FindsTheFastestMotionsWhereNothingIsInTheWay) {
+  const Problem problem = paper_problem({60.0, 100.0}, {90.0, 170.0});
+  const ArmSystems arms(problem);
+  const SearchResult result = search(problem, arms);
+  ASSERT_TRUE(result.schedule);
+  const JointPair start = {60.0 * kDegree, 100.0 * kDegree};
+  EXPECT_NEAR(result.duration, minimum_time(arms.both(), start, {90.0 * kDegree, 170.0 * kDegree}), 1e-9);
+}
+
+TEST(SearchStateTime, LeavesAnArmAloneThatNeedNotMove) {
+  const Problem problem = paper_problem({60.0, 100.0}, {90.0, 100.0});
+  const ArmSystems arms(problem);
+  const SearchResult result = search(problem, arms);
+  ASSERT_TRUE(result.schedule);
+  expect_consistent(problem, *result.schedule, result.duration);
+  EXPECT_EQ((*result.schedule)[1].front().profile.duration(), 0.0);
+}
+
+TEST(SearchStateTime, HasNothingToDoWhereStartIsGoal) {
+  const Problem problem = paper_problem({60.0, 100.0}, {60.0, 100.0});
+  const SearchResult result = search(problem, ArmSystems(problem));
+  ASSERT_TRUE(result.schedule);
+  EXPECT_EQ(result.duration, 0.0);
+}
+
+}  // namespace
+}  // namespace dualarm

@@ -1,0 +1,57 @@
+#include "core/fallback/steering.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/fallback/scenes.h"
+
+namespace dualarm {
+namespace {
+
+const JointPair kFrom = {10.0 * kDegree, 40.0 * kDegree};
+const JointPair kTo = {40.0 * kDegree, 10.0 * kDegree};
+
+TEST(Steering, TakesTheTimeOfTheSlowerArm) {
+  const ArmSystems arms(retreat_problem());
+  EXPECT_NEAR(minimum_time(arms.both(), kFrom, kTo), 1.134967, 1e-6);  // theory, section 4
+  const double first_alone = monotone_time(arms.both(), kFrom, {kTo[0], kFrom[1]});
+  const double second_alone = monotone_time(arms.both(), kFrom, {kFrom[0], kTo[1]});
+  EXPECT_EQ(monotone_time(arms.both(), kFrom, kTo), std::max(first_alone, second_alone));
+}
+
+TEST(Steering, StandsStillWhereThereIsNowhereToGo) {
+  const ArmSystems arms(retreat_problem());
+  const auto profile = steer(*arms.both()[0], 0.3, 0.3);
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(profile->duration(), 0.0);
+  EXPECT_EQ(monotone_time(arms.both(), kFrom, kFrom), 0.0);
+}
+
+TEST(Steering, FindsNoWayOutOfTheJointRange) {
+  const ArmSystems arms(retreat_problem());
+  EXPECT_FALSE(steer(*arms.both()[0], 0.3, 4.0));
+  EXPECT_TRUE(std::isinf(monotone_time(arms.both(), kFrom, {4.0, 0.3})));
+}
+
+TEST(Steering, OfAWeakArmPromisesNoMinimum) {
+  Problem problem = retreat_problem();
+  problem.arms[0].torque = {-25.0, 25.0};  // gravity needs up to 29.43
+  const ArmSystems arms(problem);
+  const JointPair from = {10.0 * kDegree, 0.5};
+  const JointPair to = {20.0 * kDegree, 0.5};
+  EXPECT_GT(monotone_time(arms.both(), from, to), 0.0);
+  EXPECT_EQ(minimum_time(arms.both(), from, to), 0.0);
+}
+
+TEST(Steering, HoldsOnlyWhereTorqueSufficesAndInsideTheRange) {
+  Problem problem = retreat_problem();
+  problem.arms[0].torque = {-25.0, 25.0};
+  const ArmSystems arms(problem);
+  EXPECT_TRUE(holdable(arms.both(), {0.2, 0.5}));
+  EXPECT_FALSE(holdable(arms.both(), {90.0 * kDegree, 0.5}));
+  EXPECT_FALSE(holdable(arms.both(), {0.2, -0.01}));
+}
+
+}  // namespace
+}  // namespace dualarm

@@ -1,0 +1,247 @@
+#include "core/planner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/independent_check.h"
+#include "tests/support/problems.h"
+
+namespace dualarm {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Every plan of these tests has to pass the check that shares nothing with the planner or its verifier.
+Plan must_plan(const Problem& problem) {
+  Outcome outcome = plan(problem, Budget());
+  const auto* found = std::get_if<Plan>(&outcome.answer);
+  if (found == nullptr) {
+    const auto* refused = std::get_if<Infeasible>(&outcome.answer);
+    ADD_FAILURE() << "no plan: "
+                  << (refused != nullptr ? refused->explanation : std::get<Undecided>(outcome.answer).explanation);
+    return {};
+  }
+  EXPECT_TRUE(found->verification.holds());
+  EXPECT_THAT(independent_check(problem, found->trajectory), testing::IsEmpty());
+  return *found;
+}
+
+Infeasible must_refuse(const Problem& problem) {
+  Outcome outcome = plan(problem, Budget());
+  const auto* refused = std::get_if<Infeasible>(&outcome.answer);
+  if (refused == nullptr) {
+    ADD_FAILURE() << "not refused";
+    return {};
+  }
+  EXPECT_FALSE(refused->explanation.empty());
+  return *refused;
+}
+
+Object ball(const std::string& name, const Eigen::Vector3d& at, double radius) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = at;
+  return {name, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), radius}, FixedPlacement{pose}};
+}
+
+struct WorkedRow {
+  std::array<double, 2> start;
+  std::array<double, 2> goal;
+  double first;
+  double second;
+  double plan;
+};
+
+class WorkedValues : public testing::TestWithParam<WorkedRow> {};
+
+TEST_P(WorkedValues, AreReachedByTheDelayPlan) {
+  const WorkedRow& row = GetParam();
+  const Plan found = must_plan(paper_problem(row.start, row.goal));
+  EXPECT_EQ(found.method, Method::kDelay);
+  EXPECT_NEAR(found.trajectory[0].duration, row.first, 1e-4);
+  EXPECT_NEAR(found.trajectory[1].duration, row.second, 1e-4);
+  EXPECT_NEAR(found.duration, row.plan, 1e-4);
+  EXPECT_NEAR(found.certificate.lower_bound, std::max(row.first, row.second), 1e-4);
+  EXPECT_NEAR(found.certificate.gap, row.plan / std::max(row.first, row.second) - 1.0, 1e-4);
+}
+
+// theory.md, section 4.
+INSTANTIATE_TEST_SUITE_P(Theory, WorkedValues,
+                         testing::Values(WorkedRow{{30, 60}, {60, 30}, 1.188197, 1.188197, 1.500925},
+                                         WorkedRow{{20, 90}, {90, 20}, 1.767860, 1.767860, 1.793744},
+                                         WorkedRow{{20, 70}, {60, 20}, 1.333816, 1.489711, 1.795627},
+                                         WorkedRow{{10, 80}, {60, 15}, 1.451674, 1.675828, 1.970339},
+                                         WorkedRow{{5, 60}, {50, 10}, 1.365145, 1.451674, 2.208863}));
+
+TEST(Planner, MovesBothArmsTogetherWhereThatIsFree) {
+  const Plan found = must_plan(paper_problem({100, 90}, {140, 150}, 0.1));
+  EXPECT_EQ(found.method, Method::kSimultaneous);
+  EXPECT_EQ(found.certificate.claim, Claim::kOptimal);
+  EXPECT_EQ(found.certificate.gap, 0.0);
+  EXPECT_EQ(found.trajectory[0].start_time, 0.0);
+  EXPECT_EQ(found.trajectory[1].start_time, 0.0);
+}
+
+TEST(Planner, SolvesTheRetreatBySearchWhereNoDelayExists) {
+  const Plan found = must_plan(paper_problem({10, 40}, {40, 10}, 0.05));
+  EXPECT_EQ(found.method, Method::kStateTime);
+  EXPECT_GT(found.duration, 2.1442);  // the proven bound without radius; theory.md, section 4
+  EXPECT_EQ(found.certificate.claim, Claim::kGap);
+  EXPECT_GT(found.certificate.gap, 0.0);
+}
+
+TEST(Planner, RefusesTheRetreatWhereOnlyDelaysAreAllowed) {
+  Problem problem = paper_problem({10, 40}, {40, 10}, 0.05);
+  problem.options.methods = {Method::kSimultaneous, Method::kDelay};
+  EXPECT_EQ(must_refuse(problem).reason, InfeasibleReason::kNoCoordination);
+}
+
+TEST(Planner, ForcedToSearchFindsAPlanWhereADelayWouldDo) {
+  Problem problem = paper_problem({30, 60}, {60, 30}, 0.05);
+  problem.options.methods = {Method::kStateTime};
+  EXPECT_EQ(must_plan(problem).method, Method::kStateTime);
+}
+
+TEST(Planner, KeepsTheLargestStartDelay) {
+  Problem problem = paper_problem({30, 60}, {60, 30}, 0.05);
+  problem.options.methods = {Method::kSimultaneous, Method::kDelay};
+  const Plan found = must_plan(problem);
+  const double delay = std::max(found.trajectory[0].start_time, found.trajectory[1].start_time);
+  problem.options.max_start_delay = delay + 1e-6;
+  must_plan(problem);
+  problem.options.max_start_delay = delay - 1e-3;
+  const Infeasible refused = must_refuse(problem);
+  EXPECT_EQ(refused.reason, InfeasibleReason::kNoCoordination);
+  ASSERT_TRUE(refused.evidence.relaxation);
+  EXPECT_NEAR(*refused.evidence.relaxation, 1e-3, 1e-9);
+}
+
+TEST(Planner, CoversEveryPairOfDirectionsAndTheirMirrorImages) {
+  // Cases 1, 2 and 3 of the paper as theory.md, section 3 reads them, arms that stay, and all with the arms exchanged.
+  const std::array<std::array<double, 2>, 2> moves[] = {
+      {{{20, 70}, {60, 20}}},  {{{10, 50}, {70, 90}}},   {{{60, 90}, {20, 60}}}, {{{60, 20}, {20, 70}}},
+      {{{20, 120}, {20, 80}}}, {{{20, 120}, {60, 120}}}, {{{70, 80}, {70, 80}}}};
+  for (const auto& [start, goal] : moves) {
+    const Plan found = must_plan(paper_problem(start, goal, 0.1));
+    const Plan exchanged = must_plan(paper_problem({start[1], start[0]}, {goal[1], goal[0]}, 0.1));
+    EXPECT_NEAR(found.duration, exchanged.duration, 1e-9) << start[0] << " " << start[1];
+    Problem turned = paper_problem(start, goal, 0.1);
+    for (Arm& arm : turned.arms) {
+      arm.base.heading = -arm.base.heading;
+      arm.base.rotation =
+          arm.base.rotation == Rotation::kClockwise ? Rotation::kCounterclockwise : Rotation::kClockwise;
+    }
+    EXPECT_NEAR(must_plan(turned).duration, found.duration, 1e-9) << start[0] << " " << start[1];
+  }
+}
+
+TEST(Planner, WaitsLongerForThePapersSetThanForTheExactOne) {
+  Problem problem = paper_problem({20, 90}, {90, 20}, 0.05);
+  problem.arms[0].velocity = {-0.5, 0.5};
+  const double exact = must_plan(problem).trajectory[1].start_time;
+  problem.options.region_model = RegionModel::kPaper;
+  EXPECT_GT(must_plan(problem).trajectory[1].start_time, exact + 1e-3);
+}
+
+TEST(Planner, RefusesAGoalInThePapersSetThatIsFreeInTruth) {
+  Problem problem = paper_problem({20, 70}, {60, 20}, 0.05);
+  must_plan(problem);
+  problem.options.region_model = RegionModel::kPaper;
+  EXPECT_EQ(must_refuse(problem).reason, InfeasibleReason::kGoalInCollision);
+}
+
+TEST(Planner, KeepsTheDemandedClearanceAndWaitsLongerForMore) {
+  double previous = 0.0;
+  for (const double clearance : {0.0, 0.1, 0.5}) {
+    const Plan found = must_plan(paper_problem({30, 60}, {60, 30}, 0.1, clearance));
+    EXPECT_GE(found.verification.min_clearance, clearance);
+    EXPECT_LT(found.verification.min_clearance, clearance + 1e-3);  // an optimal plan touches
+    EXPECT_GT(found.duration, previous);
+    previous = found.duration;
+  }
+}
+
+TEST(Planner, TakesACarriedObjectIntoAccountInDynamicsAndGeometry) {
+  Problem problem = paper_problem({20, 70}, {60, 20}, 0.05);
+  const Plan empty = must_plan(problem);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(6.3, 0.0, 0.0);
+  problem.objects = {{"beam", {{0, -1.0, 0}, {0, 1.0, 0}, 0.1}, AttachedPlacement{0, pose, 0.4}}};
+  for (Arm& arm : problem.arms) arm.payload_gravity = 9.81;
+  const Plan loaded = must_plan(problem);
+  EXPECT_GT(loaded.trajectory[0].duration, empty.trajectory[0].duration);
+  EXPECT_GT(loaded.duration, empty.duration);
+}
+
+TEST(Planner, RefusesWhatStandsInTheWay) {
+  Problem problem = paper_problem({20, 100}, {80, 140}, 0.1);
+  problem.objects = {ball("post", {6.0 * std::cos(0.9), 6.0 * std::sin(0.9), 0.0}, 0.2)};
+  const Infeasible refused = must_refuse(problem);
+  EXPECT_EQ(refused.reason, InfeasibleReason::kObjectInSweep);
+  EXPECT_EQ(refused.evidence.arm, "arm1");
+  EXPECT_EQ(refused.evidence.second_body, "post");
+}
+
+TEST(Planner, LeavesAnObjectAloneThatNoArmReaches) {
+  Problem problem = paper_problem({20, 100}, {80, 140}, 0.1);
+  problem.objects = {ball("post", {0.0, 9.0, 0.0}, 0.2), ball("lamp", {3.0, 3.0, 4.0}, 0.2)};
+  must_plan(problem);
+}
+
+TEST(Planner, RefusesStartsAndGoalsInCollision) {
+  const Infeasible start = must_refuse(paper_problem({20, 21}, {100, 100}, 0.1));
+  EXPECT_EQ(start.reason, InfeasibleReason::kStartInCollision);
+  EXPECT_EQ(start.evidence.first_body, "arm1");
+  EXPECT_EQ(start.evidence.second_body, "arm2");
+  ASSERT_TRUE(start.evidence.depth);
+  EXPECT_GT(*start.evidence.depth, 0.0);
+  EXPECT_EQ(must_refuse(paper_problem({100, 100}, {20, 21}, 0.1)).reason, InfeasibleReason::kGoalInCollision);
+}
+
+TEST(Planner, RefusesStatesOutsideTheRange) {
+  EXPECT_EQ(must_refuse(paper_problem({-5, 100}, {80, 140})).reason, InfeasibleReason::kStartOutsideRange);
+  const Infeasible goal = must_refuse(paper_problem({20, 100}, {80, 190}));
+  EXPECT_EQ(goal.reason, InfeasibleReason::kGoalOutsideRange);
+  EXPECT_EQ(goal.evidence.arm, "arm2");
+  EXPECT_NEAR(*goal.evidence.relaxation, kPi / 18.0, 1e-12);
+}
+
+TEST(Planner, RefusesWhatTheDriveCannotHoldOrPass) {
+  Problem problem = paper_problem({45, 100}, {80, 140});
+  problem.arms[0].torque = {-20.0, 20.0};
+  const Infeasible start = must_refuse(problem);
+  EXPECT_EQ(start.reason, InfeasibleReason::kStartNotHoldable);
+  EXPECT_NEAR(*start.evidence.needed_torque, 29.43 * std::sin(0.25 * kPi), 1e-9);
+  EXPECT_EQ(*start.evidence.available_torque, 20.0);
+  problem.tasks[0] = {{0.1, 0.0}, {3.0, 0.0}};
+  const Infeasible way = must_refuse(problem);
+  EXPECT_EQ(way.reason, InfeasibleReason::kTorqueTooSmall);
+  EXPECT_GT(*way.evidence.needed_torque, *way.evidence.available_torque);
+  problem.tasks[0] = {{0.1, 0.0}, {1.2, 0.0}};
+  EXPECT_EQ(must_refuse(problem).reason, InfeasibleReason::kGoalNotHoldable);
+}
+
+TEST(Planner, ReturnsTheSamePlanForTheSameProblem) {
+  for (const Problem& problem : {paper_problem({30, 60}, {60, 30}, 0.1), paper_problem({10, 40}, {40, 10}, 0.05)}) {
+    const Plan first = must_plan(problem);
+    const Plan second = must_plan(problem);
+    ASSERT_EQ(first.trajectory[0].knots.size(), second.trajectory[0].knots.size());
+    for (std::size_t i = 0; i < first.trajectory[0].knots.size(); ++i) {
+      EXPECT_EQ(first.trajectory[0].knots[i].position, second.trajectory[0].knots[i].position);
+    }
+    EXPECT_EQ(first.duration, second.duration);
+  }
+}
+
+TEST(Planner, IsUndecidedWhenItsBudgetIsGone) {
+  const Budget gone(Budget::Clock::now() - std::chrono::seconds(1));
+  const Outcome outcome = plan(paper_problem({10, 40}, {40, 10}, 0.05), gone);
+  const auto* undecided = std::get_if<Undecided>(&outcome.answer);
+  ASSERT_NE(undecided, nullptr);
+  EXPECT_FALSE(undecided->tried.empty());
+  EXPECT_GT(undecided->best_lower_bound, 1.0);
+}
+
+}  // namespace
+}  // namespace dualarm

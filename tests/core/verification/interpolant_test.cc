@@ -1,0 +1,120 @@
+#include "core/verification/interpolant.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace dualarm {
+namespace {
+
+/// The knot of a polynomial (coefficients of powers of time) at a time.
+Knot knot_of(const std::array<double, 6>& c, double t) {
+  Knot knot;
+  knot.time = t;
+  for (int n = 5; n >= 0; --n) knot.position = knot.position * t + c[n];
+  for (int n = 5; n >= 1; --n) knot.velocity = knot.velocity * t + n * c[n];
+  for (int n = 5; n >= 2; --n) knot.acceleration = knot.acceleration * t + n * (n - 1) * c[n];
+  return knot;
+}
+
+TEST(Quintic, ReproducesEveryPolynomialOfDegreeFive) {
+  std::mt19937_64 generator(3);
+  std::uniform_real_distribution<double> number(-2.0, 2.0);
+  for (int i = 0; i < 1000; ++i) {
+    SCOPED_TRACE(i);
+    std::array<double, 6> c;
+    for (double& value : c) value = number(generator);
+    const Quintic piece(knot_of(c, 0.3), knot_of(c, 1.1));
+    for (double t = 0.3; t <= 1.1; t += 0.05) {
+      const Knot exact = knot_of(c, t);
+      ASSERT_NEAR(piece.derivative(0, t), exact.position, 1e-12);
+      ASSERT_NEAR(piece.derivative(1, t), exact.velocity, 1e-11);
+      ASSERT_NEAR(piece.derivative(2, t), exact.acceleration, 1e-10);
+    }
+    ASSERT_NEAR(piece.derivative(5, 0.5), 120.0 * c[5], 1e-6);
+  }
+}
+
+TEST(Quintic, BoundsAreAboveEveryDerivative) {
+  std::mt19937_64 generator(4);
+  std::uniform_real_distribution<double> number(-2.0, 2.0);
+  const auto any = [&] { return number(generator); };
+  for (int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE(i);
+    const double h = std::pow(10.0, any());
+    const Quintic piece({0.0, any(), any(), any(), 0.0}, {h, any(), any(), any(), 0.0});
+    for (int order = 1; order <= 5; ++order) {
+      double largest = 0.0;
+      for (int k = 0; k <= 200; ++k) largest = std::max(largest, std::abs(piece.derivative(order, h * k / 200)));
+      ASSERT_LE(largest, piece.most(order) * (1.0 + 1e-9) + 1e-9);
+    }
+  }
+}
+
+TEST(Quintic, BoundsAreCloseOnShortPiecesOfSmoothMotions) {
+  const std::array<double, 6> c = {0.3, -1.2, 0.8, 0.5, -0.4, 0.2};
+  const Quintic piece(knot_of(c, 0.10), knot_of(c, 0.11));
+  for (int order = 1; order <= 4; ++order) {
+    const double largest = std::max(std::abs(piece.derivative(order, 0.10)), std::abs(piece.derivative(order, 0.11)));
+    EXPECT_LE(piece.most(order), 1.001 * largest) << order;
+  }
+}
+
+TEST(Quintic, RoundingOfItsEndsCoversWhatALastDigitDoes) {
+  const Knot start = {1.0, 0.7, 1.3, 2.0, 0.0};
+  for (const double h : {1e-6, 1e-4, 1e-2}) {
+    Knot end = {1.0 + h, 0.0, 0.0, 2.0, 0.0};
+    const double step = end.time - start.time;
+    end.position = start.position + step * (start.velocity + step);
+    end.velocity = start.velocity + 2.0 * step;
+    const Quintic piece(start, end);
+    for (double u = 0.0; u <= 1.0; u += 0.125) {
+      const double t = 1.0 + u * step;
+      EXPECT_LE(std::abs(piece.derivative(2, t) - 2.0), piece.acceleration_rounding() + 1e-13) << h;
+      EXPECT_LE(std::abs(piece.derivative(1, t) - 1.3 - 2.0 * u * step), piece.velocity_rounding() + 1e-13) << h;
+    }
+  }
+}
+
+TEST(Quintic, NumbersThatOverflowAreBoundedByInfinity) {
+  const Quintic piece({0.0, 1e300, 0.0, 0.0, 0.0}, {1e-9, -1e300, 1e300, 0.0, 0.0});
+  EXPECT_TRUE(std::isinf(piece.most(5)));
+}
+
+TEST(Interpolant, HasTheStatesOfItsKnotsAndRestsOutside) {
+  const Interpolant motion({{0.0, 0.1, 0.0, 1.0, 0.0}, {0.5, 0.3, 0.6, 0.0, 0.0}, {1.0, 0.5, 0.0, -1.0, 0.0}});
+  EXPECT_EQ(motion.state(-1.0), (JointState{0.1, 0.0}));
+  EXPECT_EQ(motion.state(0.0), (JointState{0.1, 0.0}));
+  EXPECT_DOUBLE_EQ(motion.state(0.5).position, 0.3);
+  EXPECT_DOUBLE_EQ(motion.state(0.5).velocity, 0.6);
+  EXPECT_EQ(motion.state(1.0), (JointState{0.5, 0.0}));
+  EXPECT_EQ(motion.state(9.0), (JointState{0.5, 0.0}));
+}
+
+TEST(Interpolant, KnotsAtOneTimeMakeNoPiece) {
+  const Interpolant motion(
+      {{0.0, 0.0, 0.0, 2.0, 0.0}, {1.0, 1.0, 2.0, 2.0, 0.0}, {1.0, 1.0, 2.0, -2.0, 0.0}, {2.0, 2.0, 0.0, -2.0, 0.0}});
+  ASSERT_EQ(motion.pieces().size(), 2u);
+  EXPECT_NEAR(motion.state(0.5).position, 0.25, 1e-15);
+  EXPECT_NEAR(motion.state(1.5).position, 1.75, 1e-15);
+  EXPECT_NEAR(motion.bounds({0.0, 2.0}).acceleration, 2.0, 1e-14);
+}
+
+TEST(Interpolant, OneInstantIsAMotion) {
+  const Interpolant motion({{0.0, 0.7, 0.0, 0.0, 0.0}, {0.0, 0.7, 0.0, 0.0, 0.0}});
+  EXPECT_EQ(motion.state(0.0), (JointState{0.7, 0.0}));
+  EXPECT_EQ(motion.travel({0.0, 0.0}), 0.0);
+  EXPECT_EQ(motion.bounds({0.0, 0.0}).speed, 0.0);
+}
+
+TEST(Interpolant, TravelIsAtLeastTheWayToAndFro) {
+  const Interpolant motion({{0.0, 0.0, 0.0, 0.0, 0.0}, {1.0, 1.0, 0.0, 0.0, 0.0}, {2.0, 0.0, 0.0, 0.0, 0.0}});
+  EXPECT_GE(motion.travel({0.0, 2.0}), 2.0);
+  EXPECT_GE(motion.travel({0.5, 1.5}), 1.0);
+  EXPECT_LE(motion.travel({0.0, 2.0}), 10.0);
+}
+
+}  // namespace
+}  // namespace dualarm

@@ -1,0 +1,101 @@
+#include "core/verification/limit_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/verification/joint_torque.h"
+#include "tests/core/verification/sample_motions.h"
+#include "tests/support/problems.h"
+
+namespace dualarm {
+namespace {
+
+using testing::IsEmpty;
+
+LimitReport limits_of(const Arm& arm, const std::vector<Knot>& knots) {
+  return check_limits(arm, knots, Interpolant(knots), Budget());
+}
+
+TEST(LimitCheck, AMotionThatRidesOnTheTorqueLimitUnderGravityIsAtOneAndNotAbove) {
+  for (const double period : {0.002, 0.01, 0.03}) {
+    SCOPED_TRACE(period);
+    Problem problem = paper_problem({20.0, 90.0}, {20.0, 90.0});
+    problem.arms[0].gravity.phase = -0.7;
+    const Trajectory trajectory = full_torque_motion(problem, 0.9, period);
+    const LimitReport report = limits_of(problem.arms[0], trajectory[0].knots);
+    EXPECT_THAT(report.violations, IsEmpty());
+    EXPECT_NEAR(report.torque.value, 1.0, 1e-6);
+    EXPECT_LT(report.velocity.value, 1.0);
+  }
+}
+
+TEST(LimitCheck, SparseKnotsOfAFastestMotionDepartFromItAndSayTheTorque) {
+  Problem problem = paper_problem({20.0, 90.0}, {20.0, 90.0});
+  const Trajectory trajectory = full_torque_motion(problem, 0.9, 0.3);
+  const LimitReport report = limits_of(problem.arms[0], trajectory[0].knots);
+  ASSERT_EQ(report.violations.size(), 1u);
+  EXPECT_EQ(report.violations[0].kind, ViolationKind::kTorque);
+  EXPECT_GT(report.violations[0].value, 60.0);
+  EXPECT_EQ(report.violations[0].limit, 60.0);
+}
+
+TEST(LimitCheck, APeakOfTorqueBetweenGoodKnotsIsFound) {
+  const Arm arm = weightless_problem({0.0, 0.0}, {0.0, 0.0}).arms[0];
+  // From rest to rest in one piece: the acceleration peaks at 10 / sqrt(3) d / T^2, and is 0 at both knots.
+  const double change = 1.01 * 60.0 / 39.0 * std::sqrt(3.0) / 10.0;
+  const LimitReport report = limits_of(arm, {{0.0, 0.0, 0.0, 0.0, 0.0}, {1.0, change, 0.0, 0.0, 0.0}});
+  ASSERT_EQ(report.violations.size(), 1u);
+  EXPECT_EQ(report.violations[0].kind, ViolationKind::kTorque);
+  EXPECT_NEAR(report.torque.value, 1.01, 1e-6);
+  EXPECT_NEAR(std::abs(report.torque.time - 0.5), 0.5 / std::sqrt(3.0), 1e-3);
+}
+
+TEST(LimitCheck, APeakOfVelocityBetweenGoodKnotsIsFound) {
+  Arm arm = weightless_problem({0.0, 0.0}, {0.0, 0.0}).arms[0];
+  arm.torque = {-1e6, 1e6};
+  const double change = 2.02 * 8.0 / 15.0;  // the velocity peaks at 15/8 d / T
+  const LimitReport report = limits_of(arm, {{0.0, 0.0, 0.0, 0.0, 0.0}, {1.0, change, 0.0, 0.0, 0.0}});
+  ASSERT_EQ(report.violations.size(), 1u);
+  EXPECT_EQ(report.violations[0].kind, ViolationKind::kVelocity);
+  EXPECT_NEAR(report.velocity.value, 1.01, 1e-6);
+  EXPECT_NEAR(report.velocity.time, 0.5, 1e-3);
+}
+
+TEST(LimitCheck, AnOvershootOfTheRangeBetweenGoodKnotsIsFound) {
+  Arm arm = weightless_problem({0.0, 0.0}, {0.0, 0.0}).arms[0];
+  arm.joint_range = {-1.0, 0.01};
+  // A toss: up with 1 rad/s, back at the same place; the top is at v^2 / (2 a) = v T / 4 = 0.025 rad.
+  const LimitReport report = limits_of(arm, {{0.0, 0.0, 1.0, -20.0, 0.0}, {0.1, 0.0, -1.0, -20.0, 0.0}});
+  ASSERT_FALSE(report.violations.empty());
+  EXPECT_EQ(report.violations[0].kind, ViolationKind::kJointRange);
+  EXPECT_NEAR(report.violations[0].value, 0.025, 1e-7);
+}
+
+TEST(LimitCheck, EndingExactlyAtTheEndOfTheRangeIsAllowed) {
+  const Problem problem = weightless_problem({0.0, 90.0}, {180.0, 90.0});
+  const LimitReport report = limits_of(problem.arms[0], parabolic_motion(problem, {0.0, 0.0})[0].knots);
+  EXPECT_THAT(report.violations, testing::Each(testing::Field(&Violation::kind, ViolationKind::kVelocity)));
+  EXPECT_NEAR(report.range.value, 1.0, 1e-7);
+}
+
+TEST(LimitCheck, AHoldThatTheDriveCanNotHoldIsATorqueViolation) {
+  Problem problem = paper_problem({90.0, 90.0}, {90.0, 90.0});
+  problem.arms[0].torque = {-29.0, 29.0};  // 29.43 N m are needed
+  const LimitReport report = limits_of(problem.arms[0], resting_motion(problem, 2.0)[0].knots);
+  ASSERT_EQ(report.violations.size(), 1u);
+  EXPECT_NEAR(report.torque.value, 29.43 / 29.0, 1e-12);
+}
+
+TEST(LimitCheck, AnExhaustedBudgetIsNotAProof) {
+  const Problem problem = weightless_problem({20.0, 90.0}, {60.0, 90.0});
+  const std::vector<Knot> knots = parabolic_motion(problem, {0.0, 0.0})[0].knots;
+  EXPECT_TRUE(limits_of(problem.arms[0], knots).is_complete);
+  const Budget spent(Budget::Clock::now());
+  EXPECT_FALSE(check_limits(problem.arms[0], knots, Interpolant(knots), spent).is_complete);
+}
+
+}  // namespace
+}  // namespace dualarm

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/model/trajectory.h"
+
+namespace dualarm {
+
+/// The paper's problem without gravity: full torques make parabolas, which knots represent exactly.
+Problem weightless_problem(std::array<double, kArmCount> start_degrees, std::array<double, kArmCount> goal_degrees,
+                           double radius = 0.0, double clearance = 0.0);
+
+/// Each arm of a weightless problem rests, moves from start to goal with full torque forward and back, and rests until
+/// `duration` (s; 0: until both have arrived). Knots at most 0.02 s apart, arcs included. Nobody looks at collisions.
+Trajectory parabolic_motion(const Problem& problem, std::array<double, kArmCount> start_times, double duration = 0.0);
+
+/// Both arms rest at their starts for `duration` s, which may be 0.
+Trajectory resting_motion(const Problem& problem, double duration);
+
+/// Arm 1 under gravity with its full torque upward from rest for `duration` s, by an ODE in long double; arm 2 rests.
+/// The problem's first goal becomes the state that is reached.
+Trajectory full_torque_motion(Problem& problem, double duration, double knot_period);
+
+}  // namespace dualarm

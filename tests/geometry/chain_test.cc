@@ -1,0 +1,46 @@
+#include "geometry/chain.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace dualarm {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+TEST(Chain, TheLinkPointsAlongTheHeadingAtZero) {
+  const Base base = {{1.0, 2.0, 3.0}, kPi / 2.0, Rotation::kCounterclockwise};
+  const Eigen::Vector3d tip = link_pose(base, 0.0) * Eigen::Vector3d(6.0, 0.0, 0.0);
+  EXPECT_TRUE(tip.isApprox(Eigen::Vector3d(1.0, 8.0, 3.0), 1e-15));
+}
+
+TEST(Chain, ArmOneOfThePaperRisesCounterclockwise) {
+  const Eigen::Vector3d tip = link_pose(Base{}, kPi / 3.0) * Eigen::Vector3d(6.0, 0.0, 0.0);
+  EXPECT_TRUE(tip.isApprox(Eigen::Vector3d(3.0, 6.0 * std::sin(kPi / 3.0), 0.0), 1e-15));
+}
+
+TEST(Chain, ArmTwoOfThePaperRisesClockwise) {
+  const Base base = {{8.0, 0.0, 0.0}, kPi, Rotation::kClockwise};
+  const Eigen::Vector3d tip = link_pose(base, kPi / 3.0) * Eigen::Vector3d(6.0, 0.0, 0.0);
+  EXPECT_TRUE(tip.isApprox(Eigen::Vector3d(5.0, 6.0 * std::sin(kPi / 3.0), 0.0), 1e-15));
+}
+
+TEST(Chain, TheFrameStaysRightHandedAndUprightInEitherSense) {
+  for (const Rotation rotation : {Rotation::kCounterclockwise, Rotation::kClockwise}) {
+    const Eigen::Isometry3d pose = link_pose({{0.0, 0.0, 0.0}, 0.7, rotation}, 1.1);
+    EXPECT_NEAR(pose.linear().determinant(), 1.0, 1e-15);
+    EXPECT_TRUE((pose.linear() * Eigen::Vector3d::UnitZ()).isApprox(Eigen::Vector3d::UnitZ(), 1e-15));
+  }
+}
+
+TEST(Chain, PlacingMovesBothEndsAndKeepsTheRadius) {
+  const Eigen::Isometry3d pose = link_pose({{1.0, 0.0, 0.5}, 0.0, Rotation::kCounterclockwise}, kPi / 2.0);
+  const Capsule capsule = placed({{1.0, 0.0, 0.0}, {2.0, 0.0, 0.1}, 0.25}, pose);
+  EXPECT_TRUE(capsule.start.isApprox(Eigen::Vector3d(1.0, 1.0, 0.5), 1e-15));
+  EXPECT_TRUE(capsule.end.isApprox(Eigen::Vector3d(1.0, 2.0, 0.6), 1e-15));
+  EXPECT_EQ(capsule.radius, 0.25);
+}
+
+}  // namespace
+}  // namespace dualarm

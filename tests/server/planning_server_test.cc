@@ -1,0 +1,153 @@
+#include "server/planning_server.h"
+
+#include <gmock/gmock.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
+
+#include <future>
+
+#include "tests/server/paper_request.h"
+#include "tests/server/test_server.h"
+
+namespace dualarm {
+namespace {
+
+using ::testing::HasSubstr;
+
+// The names that reflection lists, asked for and answered in protobuf's own bytes: list_services = 7 of the request.
+std::string reflected_services(const std::shared_ptr<grpc::Channel>& channel) {
+  grpc::GenericStub stub(channel);
+  grpc::ClientContext context;
+  grpc::CompletionQueue queue;
+  const auto call =
+      stub.PrepareCall(&context, "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", &queue);
+  void* tag = nullptr;
+  bool ok = false;
+  const auto step = [&] { return queue.Next(&tag, &ok) && ok; };
+  call->StartCall(nullptr);
+  const grpc::Slice ask("\x3a\x01*");
+  grpc::ByteBuffer answer;
+  if (!step()) return "";
+  call->Write(grpc::ByteBuffer(&ask, 1), nullptr);
+  if (!step()) return "";
+  call->Read(&answer, nullptr);
+  if (!step()) return "";
+  context.TryCancel();
+  grpc::Status status;
+  call->Finish(&status, nullptr);
+  step();
+  grpc::Slice bytes;
+  return answer.DumpToSingleSlice(&bytes).ok() ? std::string(bytes.begin(), bytes.end()) : "";
+}
+
+TEST(PlanningServer, ReportsHealthForTheServerAndPerService) {
+  const TestServer server;
+  EXPECT_EQ(health_of(server.channel(), ""), 1);
+  EXPECT_EQ(health_of(server.channel(), "dualarm.planning.v1.PlanningService"), 1);
+  EXPECT_EQ(health_of(server.channel(), "no.such.Service"), -1);
+}
+
+TEST(PlanningServer, ReflectsItsService) {
+  const TestServer server;
+  EXPECT_THAT(reflected_services(server.channel()), HasSubstr("dualarm.planning.v1.PlanningService"));
+}
+
+TEST(PlanningServer, RefusesAHundredMegabytesAndGoesOn) {
+  const TestServer server;
+  wire::PlanMotionRequest large = paper_request();
+  large.mutable_scene()->add_objects()->set_name(std::string(100'000'000, 'x'));
+  grpc::ClientContext context;
+  wire::PlanMotionResponse response;
+  const auto stub = server.stub();
+  const grpc::Status status = stub->PlanMotion(&context, large, &response);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(status.error_message(), HasSubstr("larger than max"));
+  grpc::ClientContext next;
+  EXPECT_TRUE(stub->PlanMotion(&next, paper_request(), &response).ok());
+}
+
+TEST(PlanningServer, ListensOnAFreePortAndSaysWhich) {
+  PlanningServer server(listening_on("127.0.0.1:0"), quick_functions());
+  EXPECT_GT(server.port(), 0);
+  EXPECT_EQ(server.address(), "127.0.0.1:" + std::to_string(server.port()));
+  EXPECT_EQ(health_of(grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()), ""), 1);
+}
+
+std::string why_not(const std::string& listen) {
+  try {
+    const PlanningServer server(listening_on(listen), quick_functions());
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PlanningServer, ASecondServerOnTheAddressIsRefused) {
+  const PlanningServer first(listening_on("127.0.0.1:0"), quick_functions());
+  EXPECT_THAT(why_not(first.address()), HasSubstr("cannot listen on " + first.address()));
+  const TestServer on_socket;
+  EXPECT_THAT(why_not(on_socket.address()), HasSubstr("another server listens on unix:"));
+  EXPECT_EQ(health_of(on_socket.channel(), ""), 1);
+}
+
+TEST(PlanningServer, SpeaksPlaintextToOtherMachinesOnlyWhenTold) {
+  EXPECT_THAT(why_not("0.0.0.0:0"), HasSubstr("--allow-insecure-remote"));
+  EXPECT_THAT(why_not("[::]:0"), HasSubstr("--allow-insecure-remote"));
+  ServerOptions options = listening_on("0.0.0.0:0");
+  options.allow_insecure_remote = true;
+  const PlanningServer server(options, quick_functions());
+  EXPECT_GT(server.port(), 0);
+}
+
+TEST(PlanningServer, DrainingFinishesRunningCallsAndRefusesNewOnes) {
+  std::promise<void> begun;
+  std::promise<void> release;
+  PlanningFunctions functions = quick_functions();
+  functions.plan = [&](const Problem&, const Budget&) {
+    begun.set_value();
+    release.get_future().wait();
+    return Outcome{Undecided{"finished", {}, 0.0, 0.0}, {}};
+  };
+  TestServer server(functions);
+  const auto stub = server.stub();
+  wire::PlanMotionResponse response;
+  std::future<grpc::Status> running = std::async(std::launch::async, [&] {
+    grpc::ClientContext context;
+    return stub->PlanMotion(&context, paper_request(), &response);
+  });
+  begun.get_future().wait();
+  std::future<void> drained = std::async(std::launch::async, [&] { server.server().drain(std::chrono::seconds(60)); });
+  grpc::StatusCode refused = grpc::StatusCode::OK;
+  for (int i = 0; i < 1000 && refused != grpc::StatusCode::UNAVAILABLE; ++i) {
+    grpc::ClientContext context;
+    wire::VerifyMotionResponse unused;
+    refused = server.stub()->VerifyMotion(&context, paper_verify_request(), &unused).error_code();
+  }
+  EXPECT_EQ(refused, grpc::StatusCode::UNAVAILABLE);
+  release.set_value();
+  drained.wait();
+  EXPECT_TRUE(running.get().ok());
+  EXPECT_EQ(response.undecided().explanation(), "finished");
+}
+
+TEST(PlanningServer, DrainingCancelsCallsWhenPatienceEnds) {
+  std::promise<void> begun;
+  PlanningFunctions functions = quick_functions();
+  functions.plan = [&](const Problem&, const Budget& budget) {
+    begun.set_value();
+    while (!budget.cancelled()) std::this_thread::yield();
+    return Outcome{Undecided{}, {}};
+  };
+  TestServer server(functions);
+  std::future<grpc::Status> running = std::async(std::launch::async, [&] {
+    grpc::ClientContext context;
+    wire::PlanMotionResponse response;
+    return server.stub()->PlanMotion(&context, paper_request(), &response);
+  });
+  begun.get_future().wait();
+  server.server().drain(std::chrono::milliseconds(20));
+  EXPECT_FALSE(running.get().ok());
+}
+
+}  // namespace
+}  // namespace dualarm

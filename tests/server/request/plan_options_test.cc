@@ -1,0 +1,121 @@
+#include "server/request/plan_options.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/server/request/violation_cases.h"
+
+namespace dualarm {
+namespace {
+
+TEST(ReadPlanOptions, NamesEachViolationWithItsFieldPathAndRemedy) {
+  const std::vector<PlanCase> cases = {
+      {"clearance", [](auto& r) { r.mutable_options()->set_clearance_m(-0.01); }, "options.clearance_m",
+       "is -0.01, must be 0 to 10000 m"},
+      {"clearance NaN", [](auto& r) { r.mutable_options()->set_clearance_m(kNan); }, "options.clearance_m", "is nan"},
+      {"no time", [](auto& r) { r.mutable_options()->mutable_planning_budget(); }, "options.planning_budget",
+       "is 0 s and 0 ns, must be above 0"},
+      {"negative time", [](auto& r) { r.mutable_options()->mutable_planning_budget()->set_seconds(-1); },
+       "options.planning_budget", "is -1 s"},
+      {"bad nanos", [](auto& r) { r.mutable_options()->mutable_planning_budget()->set_nanos(1'000'000'000); },
+       "options.planning_budget", "must be above 0"},
+      {"region", [](auto& r) { r.mutable_options()->set_region_model(static_cast<wire::RegionModel>(9)); },
+       "options.region_model", "is 9, must be REGION_MODEL_EXACT"},
+      {"method unset", [](auto& r) { r.mutable_options()->add_methods(wire::METHOD_UNSPECIFIED); },
+       "options.methods[0]", "is 0, must be METHOD_SIMULTANEOUS"},
+      {"passage", [](auto& r) { r.mutable_options()->add_methods(wire::METHOD_PASSAGE); }, "options.methods[0]",
+       "is not served by this version: allow METHOD_DELAY"},
+      {"twice",
+       [](auto& r) {
+         r.mutable_options()->add_methods(wire::METHOD_DELAY);
+         r.mutable_options()->add_methods(wire::METHOD_DELAY);
+       },
+       "options.methods[1]", "is METHOD_DELAY, which is listed already"},
+      {"many methods",
+       [](auto& r) {
+         for (int i = 0; i < 17; ++i) r.mutable_options()->add_methods(wire::METHOD_DELAY);
+       },
+       "options.methods", "has 17 entries"},
+      {"period negative", [](auto& r) { r.mutable_options()->set_knot_period_s(-0.01); }, "options.knot_period_s",
+       "is -0.01, must be 0.0001 to 10 s"},
+      {"period NaN", [](auto& r) { r.mutable_options()->set_knot_period_s(kNan); }, "options.knot_period_s", "is nan"},
+      {"delay", [](auto& r) { r.mutable_options()->set_max_start_delay_s(-1.0); }, "options.max_start_delay_s",
+       "is -1"},
+  };
+  for (const PlanCase& expected : cases) expect_violation(paper_request(), expected);
+}
+
+TEST(ReadPlanOptions, RefusesThePapersRegionForOtherMountings) {
+  wire::PlanMotionRequest request = paper_request();
+  request.mutable_options()->set_region_model(wire::REGION_MODEL_PAPER);
+  EXPECT_TRUE(violations_of(request).empty());
+  request.mutable_robot()->mutable_arms(1)->mutable_base()->set_y_m(0.5);
+  const auto found = violations_of(request);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].field, "options.region_model");
+  EXPECT_THAT(found[0].description, ::testing::HasSubstr("use REGION_MODEL_EXACT"));
+}
+
+TEST(ReadPlanOptions, RefusesMotionsOfTooManyKnotsForSlowArms) {
+  wire::PlanMotionRequest request = paper_request();
+  request.mutable_robot()->mutable_arms(1)->mutable_velocity_limit()->set_max_rad_per_s(1e-4);
+  const auto found = violations_of(request);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].field, "options.knot_period_s");
+  EXPECT_THAT(found[0].description, ::testing::HasSubstr("arm 'right' takes at least 872665 knots"));
+}
+
+TEST(ReadPlanOptions, RefusesMotionsOfTooManyKnotsForWeakDrives) {
+  wire::PlanMotionRequest request = paper_request();
+  request.mutable_robot()->mutable_arms(0)->mutable_dynamics()->set_moment_of_inertia_kg_m2(1e9);
+  const auto found = violations_of(request);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0].description, ::testing::HasSubstr("arm 'left' takes at least 682"));
+}
+
+TEST(ReadPlanOptions, RefusesMotionsOfTooManyKnotsForDrivesThatAreWeakOneWay) {
+  wire::PlanMotionRequest request = paper_request();
+  wire::Arm& arm = *request.mutable_robot()->mutable_arms(0);
+  arm.mutable_dynamics()->mutable_paper()->set_gravity_m_per_s2(0.0);
+  arm.mutable_torque_limit()->mutable_constant()->set_max_newton_meters(1e-6);
+  const auto found = violations_of(request);
+  ASSERT_EQ(found.size(), 1u);
+  // sqrt(2 d I (1/up + 1/down)) = sqrt(2 * 0.698132 * 39 * (1e6 + 1/60)) s, in periods of 0.01 s
+  EXPECT_THAT(found[0].description, ::testing::HasSubstr("arm 'left' takes at least 737931 knots"));
+}
+
+TEST(ReadPlanOptions, FillsInTheDefaults) {
+  const auto parsed = parse(paper_request());
+  const auto& wish = std::get<PlanWish>(parsed);
+  EXPECT_EQ(wish.problem.options.clearance, 0.0);
+  EXPECT_EQ(wish.problem.options.knot_period, 0.01);
+  EXPECT_EQ(wish.problem.options.max_start_delay, kInfinity);
+  EXPECT_EQ(wish.problem.options.region_model, RegionModel::kExact);
+  EXPECT_TRUE(wish.problem.options.methods.empty());
+  EXPECT_FALSE(wish.budget.has_value());
+  EXPECT_FALSE(wish.validate_only);
+}
+
+TEST(ReadPlanOptions, TakesEveryOptionToItsPlace) {
+  wire::PlanMotionRequest request = paper_request();
+  wire::PlanOptions& options = *request.mutable_options();
+  options.set_clearance_m(0.05);
+  options.mutable_planning_budget()->set_seconds(2);
+  options.mutable_planning_budget()->set_nanos(500'000'000);
+  options.set_seed(77);
+  options.set_validate_only(true);
+  options.add_methods(wire::METHOD_STATE_TIME);
+  options.set_knot_period_s(0.002);
+  options.set_max_start_delay_s(0.0);
+  const auto parsed = parse(request);
+  const auto& wish = std::get<PlanWish>(parsed);
+  EXPECT_EQ(wish.problem.options.clearance, 0.05);
+  EXPECT_EQ(wish.budget, std::chrono::milliseconds(2500));
+  EXPECT_EQ(wish.problem.options.seed, 77u);
+  EXPECT_TRUE(wish.validate_only);
+  EXPECT_EQ(wish.problem.options.methods, std::vector<Method>{Method::kStateTime});
+  EXPECT_EQ(wish.problem.options.knot_period, 0.002);
+  EXPECT_EQ(wish.problem.options.max_start_delay, 0.0);
+}
+
+}  // namespace
+}  // namespace dualarm

@@ -1,0 +1,187 @@
+#include "tests/support/independent_check.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <sstream>
+
+#include "tests/support/exact_distance.h"
+
+namespace dualarm {
+namespace {
+
+constexpr double kStateTolerance = 1e-6;      // rad and rad/s
+constexpr double kDistanceTolerance = 1e-6;   // m
+constexpr double kTouching = 1e-12;           // m, what rounding leaves of bare segments that cross
+constexpr double kShareTolerance = 1e-5;      // of a limit's span
+constexpr double kLongestIntegration = 0.25;  // s; then again from a knot, since standing arms are unstable
+constexpr int kInstants = 10000;
+
+using State = std::array<double, 2>;
+
+template <typename... Parts>
+std::string words(const Parts&... parts) {
+  std::ostringstream text;
+  text.precision(12);
+  (text << ... << parts);
+  return text.str();
+}
+
+/// Torque at a time by Lagrange's polynomial through up to four knots around it, all between the same two switches.
+double torque_at(const std::vector<Knot>& knots, std::size_t first, std::size_t last, std::size_t k, double time) {
+  const std::size_t begin = k > first ? k - 1 : first;
+  const std::size_t end = std::min(last, k + 2);
+  double torque = 0.0;
+  for (std::size_t i = begin; i <= end; ++i) {
+    double weight = 1.0;
+    for (std::size_t j = begin; j <= end; ++j) {
+      if (j != i) weight *= (time - knots[j].time) / (knots[i].time - knots[j].time);
+    }
+    torque += weight * knots[i].torque;
+  }
+  return torque;
+}
+
+/// Integrates the knots from `first` to `last`, between which no time repeats.
+void check_dynamics(const Arm& arm, const std::vector<Knot>& knots, std::size_t first, std::size_t last,
+                    std::vector<std::string>& complaints) {
+  namespace odeint = boost::numeric::odeint;
+  const double growth = std::sqrt(std::abs(arm.gravity.amplitude) / arm.inertia);
+  State state = {knots[first].position, knots[first].velocity};
+  double begun = knots[first].time;
+  for (std::size_t k = first; k < last; ++k) {
+    const auto motion = [&](const State& x, State& rate, double time) {
+      const double torque = torque_at(knots, first, last, k, time);
+      rate = {x[1], (torque - arm.gravity.amplitude * std::sin(x[0] - arm.gravity.phase)) / arm.inertia};
+    };
+    const double h = knots[k + 1].time - knots[k].time;
+    odeint::integrate_adaptive(odeint::make_controlled(1e-12, 1e-12, odeint::runge_kutta_dopri5<State>()), motion,
+                               state, knots[k].time, knots[k + 1].time, std::min(h, 0.01));
+    const Knot& reached = knots[k + 1];
+    const double off = std::max(std::abs(state[0] - reached.position), std::abs(state[1] - reached.velocity));
+    if (!(off <= kStateTolerance + 1e-12 * std::exp(growth * h))) {
+      complaints.push_back(words(arm.name, ": torques lead ", off, " away from the knot at ", reached.time, " s"));
+      return;
+    }
+    if (reached.time - begun < kLongestIntegration) continue;
+    state = {reached.position, reached.velocity};
+    begun = reached.time;
+  }
+}
+
+void check_limits(const Arm& arm, const std::vector<Knot>& knots, std::vector<std::string>& complaints) {
+  const double torque_slack = kShareTolerance * arm.torque.length();
+  for (const Knot& knot : knots) {
+    if (!(knot.torque >= arm.torque.lower - torque_slack && knot.torque <= arm.torque.upper + torque_slack)) {
+      complaints.push_back(words(arm.name, ": torque ", knot.torque, " N m at ", knot.time, " s"));
+    }
+    if (!(knot.velocity >= arm.velocity.lower - kStateTolerance &&
+          knot.velocity <= arm.velocity.upper + kStateTolerance)) {
+      complaints.push_back(words(arm.name, ": velocity ", knot.velocity, " rad/s at ", knot.time, " s"));
+    }
+    if (!(knot.position >= arm.joint_range.lower - kStateTolerance &&
+          knot.position <= arm.joint_range.upper + kStateTolerance)) {
+      complaints.push_back(words(arm.name, ": position ", knot.position, " rad at ", knot.time, " s"));
+    }
+  }
+}
+
+bool has_order(const std::vector<Knot>& knots) {
+  return knots.size() >= 2 && knots.front().time == 0.0 &&
+         std::is_sorted(knots.begin(), knots.end(), [](const Knot& a, const Knot& b) { return a.time < b.time; });
+}
+
+void check_arm(const Arm& arm, const Task& task, const ArmTrajectory& motion, std::vector<std::string>& complaints) {
+  const std::vector<Knot>& knots = motion.knots;
+  const auto is_at = [](const Knot& knot, const JointState& state) {
+    return std::abs(knot.position - state.position) <= kStateTolerance &&
+           std::abs(knot.velocity - state.velocity) <= kStateTolerance;
+  };
+  if (!is_at(knots.front(), task.start)) complaints.push_back(arm.name + ": does not begin at its start");
+  if (!is_at(knots.back(), task.goal)) complaints.push_back(arm.name + ": does not end at its goal");
+  check_limits(arm, knots, complaints);
+  std::size_t first = 0;
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    if (knots[k].time > knots[k - 1].time) continue;
+    check_dynamics(arm, knots, first, k - 1, complaints);
+    if (!is_at(knots[k], {knots[k - 1].position, knots[k - 1].velocity})) {
+      complaints.push_back(words(arm.name, ": jumps at ", knots[k].time, " s"));
+    }
+    first = k;
+  }
+  check_dynamics(arm, knots, first, knots.size() - 1, complaints);
+}
+
+/// Position by the six basis polynomials of quintic Hermite interpolation. `k` moves on with the time.
+double position_at(const std::vector<Knot>& knots, std::size_t& k, double time) {
+  while (k + 2 < knots.size() && knots[k + 1].time <= time) ++k;
+  const Knot& a = knots[k];
+  const Knot& b = knots[k + 1];
+  const double h = b.time - a.time;
+  if (h <= 0.0) return b.position;
+  const double u = (time - a.time) / h;
+  const double w = 1.0 - u;
+  const double u3 = u * u * u;
+  const double w3 = w * w * w;
+  return w3 * (1.0 + 3.0 * u + 6.0 * u * u) * a.position + u3 * (1.0 + 3.0 * w + 6.0 * w * w) * b.position +
+         h * (u * w3 * (1.0 + 3.0 * u) * a.velocity - w * u3 * (1.0 + 3.0 * w) * b.velocity) +
+         0.5 * h * h * (u * u * w3 * a.acceleration + w * w * u3 * b.acceleration);
+}
+
+Capsule in_world(const Capsule& capsule, const Base& base, double position) {
+  const double direction = base.heading + base.sense() * position;
+  const double c = std::cos(direction);
+  const double s = std::sin(direction);
+  const auto moved = [&](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(base.position.x() + c * p.x() - s * p.y(), base.position.y() + s * p.x() + c * p.y(),
+                           base.position.z() + p.z());
+  };
+  return {moved(capsule.start), moved(capsule.end), capsule.radius};
+}
+
+void check_pairs(const std::vector<Body>& firsts, const std::vector<Body>& seconds, double demanded, double time,
+                 std::vector<std::string>& complaints) {
+  for (const Body& first : firsts) {
+    for (const Body& second : seconds) {
+      const auto distance = static_cast<double>(exact_distance(first.capsule, second.capsule));
+      if (distance >= demanded - kDistanceTolerance && distance > kTouching) continue;
+      complaints.push_back(words(first.name, " and ", second.name, " are ", distance, " m apart at ", time, " s"));
+    }
+  }
+}
+
+void check_clearance(const Problem& problem, const Trajectory& trajectory, std::vector<std::string>& complaints) {
+  const std::vector<Body> fixed = fixed_bodies(problem);
+  const double duration = trajectory[0].knots.back().time;
+  std::array<std::vector<Body>, kArmCount> bodies = {moving_bodies(problem, 0), moving_bodies(problem, 1)};
+  std::array<std::size_t, kArmCount> knot = {};
+  for (int instant = 0; instant < kInstants && complaints.empty(); ++instant) {
+    const double time = duration * instant / (kInstants - 1);
+    std::array<std::vector<Body>, kArmCount> placed_bodies = bodies;
+    for (int i = 0; i < kArmCount; ++i) {
+      const double position = position_at(trajectory[i].knots, knot[i], time);
+      for (Body& body : placed_bodies[i]) body.capsule = in_world(body.capsule, problem.arms[i].base, position);
+      check_pairs(placed_bodies[i], fixed, problem.options.clearance, time, complaints);
+    }
+    check_pairs(placed_bodies[0], placed_bodies[1], problem.options.clearance, time, complaints);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> independent_check(const Problem& problem, const Trajectory& trajectory) {
+  for (int i = 0; i < kArmCount; ++i) {
+    if (trajectory[i].arm != problem.arms[i].name) return {"trajectories are not in the order of the arms"};
+    if (!has_order(trajectory[i].knots)) return {trajectory[i].arm + ": times are not in order"};
+  }
+  if (trajectory[0].knots.back().time != trajectory[1].knots.back().time) return {"the arms end at different times"};
+  std::vector<std::string> complaints;
+  for (int i = 0; i < kArmCount; ++i) {
+    check_arm(loaded_arm(problem, i), problem.tasks[i], trajectory[i], complaints);
+  }
+  check_clearance(problem, trajectory, complaints);
+  return complaints;
+}
+
+}  // namespace dualarm

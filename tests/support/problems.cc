@@ -1,0 +1,119 @@
+#include "tests/support/problems.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "tests/support/exact_distance.h"
+
+namespace dualarm {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : generator_(seed) {}
+
+  double between(double least, double most) { return std::uniform_real_distribution<double>(least, most)(generator_); }
+  bool happens(double probability) { return between(0.0, 1.0) < probability; }
+  int one_of(int count) { return std::uniform_int_distribution<int>(0, count - 1)(generator_); }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+Arm random_arm(Dice& dice, const std::string& name) {
+  Arm arm;
+  arm.name = name;
+  arm.length = dice.between(2.0, 8.0);
+  arm.radius = dice.happens(0.2) ? 0.0 : dice.between(0.0, 0.2);
+  const double mass = dice.between(0.5, 3.0);
+  arm.inertia = dice.between(0.5, 5.0) + mass * arm.length * arm.length;
+  arm.gravity = paper_gravity(mass, arm.length);
+  if (dice.happens(0.3)) arm.gravity.phase = dice.between(-kPi, kPi);
+  const bool is_weak = dice.happens(0.15);
+  const double strength = is_weak
+                              ? arm.gravity.amplitude * dice.between(0.5, 1.1)
+                              : arm.gravity.amplitude * dice.between(1.2, 3.0) + arm.inertia * dice.between(0.1, 1.0);
+  arm.torque = {-strength * dice.between(0.85, 1.15), strength};
+  arm.velocity = {-dice.between(0.5, 3.0), dice.between(0.5, 3.0)};
+  if (dice.happens(0.2)) {
+    arm.velocity = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
+  return arm;
+}
+
+/// Both arms face each other along a random direction; mirrored, both turn the other way round.
+void place(Dice& dice, Problem& problem) {
+  const double distance = dice.between(0.55, 1.0) * (problem.arms[0].length + problem.arms[1].length);
+  const double bearing = dice.between(-kPi, kPi);
+  const bool is_mirrored = dice.happens(0.5);
+  const Eigen::Vector3d origin(dice.between(-5.0, 5.0), dice.between(-5.0, 5.0), dice.between(-1.0, 1.0));
+  problem.arms[0].base = {origin, bearing, is_mirrored ? Rotation::kClockwise : Rotation::kCounterclockwise};
+  problem.arms[1].base = {origin + distance * Eigen::Vector3d(std::cos(bearing), std::sin(bearing), 0.0), bearing + kPi,
+                          is_mirrored ? Rotation::kCounterclockwise : Rotation::kClockwise};
+}
+
+bool keeps_clearance(const Problem& problem, std::array<double, kArmCount> positions) {
+  std::array<Capsule, kArmCount> links;
+  for (int i = 0; i < kArmCount; ++i) {
+    const Arm& arm = problem.arms[i];
+    const double direction = arm.base.heading + arm.base.sense() * positions[i];
+    const Eigen::Vector3d tip =
+        arm.base.position + arm.length * Eigen::Vector3d(std::cos(direction), std::sin(direction), 0.0);
+    links[i] = {arm.base.position, tip, arm.radius};
+  }
+  return exact_distance(links[0], links[1]) > problem.options.clearance + 1e-3;
+}
+
+void draw_tasks(Dice& dice, Problem& problem) {
+  for (int tries = 0; tries < 200; ++tries) {
+    std::array<double, kArmCount> start;
+    std::array<double, kArmCount> goal;
+    for (int i = 0; i < kArmCount; ++i) {
+      const double near = dice.between(0.0, 0.25 * kPi);
+      const double far = near + dice.between(0.1, 0.4 * kPi);
+      const int direction = dice.one_of(10);  // rise, fall, and now and then stay
+      start[i] = direction < 5 ? near : far;
+      goal[i] = direction == 9 ? start[i] : near + far - start[i];
+      problem.tasks[i] = {{start[i], 0.0}, {goal[i], 0.0}};
+    }
+    if (keeps_clearance(problem, start) && keeps_clearance(problem, goal)) return;
+  }
+}
+
+}  // namespace
+
+Problem paper_problem(std::array<double, kArmCount> start_degrees, std::array<double, kArmCount> goal_degrees,
+                      double radius, double clearance) {
+  Problem problem;
+  for (int i = 0; i < kArmCount; ++i) {
+    Arm& arm = problem.arms[i];
+    arm.name = i == 0 ? "arm1" : "arm2";
+    arm.length = 6.0;
+    arm.radius = radius;
+    arm.inertia = 39.0;
+    arm.gravity = paper_gravity(1.0, 6.0);
+    arm.torque = {-60.0, 60.0};
+    arm.velocity = {-2.0, 2.0};
+    problem.tasks[i] = {{start_degrees[i] * kPi / 180.0, 0.0}, {goal_degrees[i] * kPi / 180.0, 0.0}};
+  }
+  problem.arms[1].base = {{8.0, 0.0, 0.0}, kPi, Rotation::kClockwise};
+  problem.options.clearance = clearance;
+  return problem;
+}
+
+Problem random_problem(std::uint64_t seed) {
+  Dice dice(seed);
+  Problem problem;
+  problem.arms = {random_arm(dice, "arm1"), random_arm(dice, "arm2")};
+  problem.options.clearance = dice.happens(0.3) ? 0.0 : dice.between(0.0, 0.1);
+  problem.options.seed = seed;
+  place(dice, problem);
+  draw_tasks(dice, problem);
+  return problem;
+}
+
+}  // namespace dualarm
