@@ -17,6 +17,8 @@ namespace {
 /// Added to the demanded clearance while planning, m: optimal plans touch the forbidden set, and the proof that they
 /// keep the demanded clearance ends only if there is some room (theory, section 5).
 constexpr double kPlanningMargin = 1e-4;
+/// Most knots an arm's plan may have while it moves; more would not fit a message, and no controller needs them.
+constexpr double kMostKnots = 50000.0;
 /// A plan this close to its lower bound, relative, is at it: rounding of quadratures and sums.
 constexpr double kAtBound = 1e-9;
 
@@ -104,6 +106,13 @@ class Run {
 
   /// The motions as they are sent, if they pass verification; nothing else leaves the house.
   std::optional<Answer> verified(Method method, double duration, const Schedule& schedule) {
+    if (duration / problem_.options.knot_period > kMostKnots) {
+      std::ostringstream line;
+      line << "a plan of " << duration << " s was found, but at a knot period of " << problem_.options.knot_period
+           << " s it has more than " << kMostKnots << " knots an arm; ask for a longer knot period";
+      tried_.push_back(line.str());
+      return std::nullopt;
+    }
     Plan plan;
     plan.duration = duration;
     plan.method = method;

@@ -1,17 +1,23 @@
 #include "core/coordination/diagram.h"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 namespace dualarm {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Part of the longer duration to which the projection is proven before its ends are polished.
-constexpr double kResolution = 1e-5;
+constexpr double kResolution = 1e-4;
+/// Part of the longer duration below which a cell is not halved any more. Within so short a time no body moves farther
+/// than a small part of the planner's margin.
+constexpr double kShortestCell = 1e-9;
+/// Steps of the golden section, each of which leaves 0.618 of the bracket: down to rounding.
+constexpr int kSectionSteps = 75;
 /// Cells of arm 1's path at the start of the subdivision.
 constexpr int kFirstCells = 16;
 
@@ -23,7 +29,35 @@ struct Cell {
   double to_time = 0.0;
 
   Interval positions() const { return {std::min(from, to), std::max(from, to)}; }
+  double middle() const { return 0.5 * (from + to); }
 };
+
+/// Least value of a function with one minimum between two points, ends included. By golden section: the minimum is
+/// often a corner (the tip of the set), where interpolating methods stop at half the digits.
+template <class Function>
+double least_value(const Function& function, double left, double right) {
+  constexpr double kRatio = 1.0 - 1.0 / std::numbers::phi;
+  double least = std::min(function(left), function(right));
+  double inner_left = left + kRatio * (right - left);
+  double inner_right = right - kRatio * (right - left);
+  double at_left = function(inner_left);
+  double at_right = function(inner_right);
+  for (int i = 0; i < kSectionSteps; ++i) {
+    least = std::min({least, at_left, at_right});
+    if (at_left < at_right) {
+      right = std::exchange(inner_right, inner_left);
+      at_right = at_left;
+      inner_left = left + kRatio * (right - left);
+      at_left = function(inner_left);
+    } else {
+      left = std::exchange(inner_left, inner_right);
+      at_left = at_right;
+      inner_right = right - kRatio * (right - left);
+      at_right = function(inner_right);
+    }
+  }
+  return least;
+}
 
 class Projection {
  public:
@@ -32,7 +66,8 @@ class Projection {
         first_(first),
         second_(second),
         window_{std::min(second.start(), second.goal()), std::max(second.start(), second.goal())},
-        resolution_(kResolution * std::max(first.duration(), second.duration())) {}
+        longest_(std::max(first.duration(), second.duration())),
+        resolution_(kResolution * longest_) {}
 
   IntervalSet run() {
     stand_still();
@@ -51,8 +86,8 @@ class Projection {
     }
   }
 
-  /// Halves the cells of arm 1's path until each forbids nothing beyond what exact slices forbid, or is too short to
-  /// matter. Breadth first, so that wide slices spare the narrow cells.
+  /// Halves the cells of arm 1's path until each forbids nothing that exact slices do not forbid, to the resolution.
+  /// Breadth first, so that wide slices spare the narrow cells.
   void subdivide() {
     std::vector<Cell> cells;
     double from = first_.start();
@@ -66,28 +101,34 @@ class Projection {
     }
     while (!cells.empty()) {
       const IntervalSet known = joined(found_);
+      const IntervalSet nearly = widened(known);
       found_ = known.intervals();
       std::vector<Cell> halves;
-      for (const Cell& cell : cells) split(cell, known, halves);
+      for (const Cell& cell : cells) {
+        const std::vector<Interval> outer = delays_of(cell);
+        if (all_covered(outer, known)) continue;
+        if (all_covered(outer, nearly) || cell.to_time - cell.from_time < kShortestCell * longest_) {
+          leaves_.push_back(cell);
+        } else {
+          split(cell, halves);
+        }
+      }
       cells = std::move(halves);
     }
   }
 
-  void split(const Cell& cell, const IntervalSet& known, std::vector<Cell>& halves) {
-    const std::vector<Interval> outer = delays_of(cell);
-    if (std::all_of(outer.begin(), outer.end(), [&](const Interval& delays) { return known.covers(delays); })) return;
-    const double middle = 0.5 * (cell.from + cell.to);
-    if (cell.to_time - cell.from_time < resolution_ || middle == cell.from || middle == cell.to) {
-      leaves_.push_back(cell);
-      found_.insert(found_.end(), outer.begin(), outer.end());
-      return;
-    }
+  void split(const Cell& cell, std::vector<Cell>& halves) {
+    const double middle = cell.middle();
     const double middle_time = first_.time_at(middle);
     for (const Interval& times : times_of_second(forbidden_.slice(middle, window_))) {
       found_.push_back({middle_time - times.upper, middle_time - times.lower});
     }
     halves.push_back({cell.from, middle, cell.from_time, middle_time});
     halves.push_back({middle, cell.to, middle_time, cell.to_time});
+  }
+
+  static bool all_covered(const std::vector<Interval>& intervals, const IntervalSet& set) {
+    return std::all_of(intervals.begin(), intervals.end(), [&](const Interval& i) { return set.covers(i); });
   }
 
   /// A superset of the delays that a cell forbids.
@@ -108,79 +149,69 @@ class Projection {
     return times;
   }
 
+  IntervalSet widened(const IntervalSet& set) const {
+    std::vector<Interval> intervals = set.intervals();
+    for (Interval& interval : intervals) interval = {interval.lower - resolution_, interval.upper + resolution_};
+    return IntervalSet(std::move(intervals));
+  }
+
   /// The set with gaps below the resolution closed.
   IntervalSet joined(std::vector<Interval> intervals) const {
     for (Interval& interval : intervals) interval.upper += resolution_;
-    IntervalSet widened(std::move(intervals));
-    std::vector<Interval> result = widened.intervals();
+    std::vector<Interval> result = IntervalSet(std::move(intervals)).intervals();
     for (Interval& interval : result) interval.upper -= resolution_;
     return IntervalSet(std::move(result));
   }
 
-  /// Each finite end replaced by the extremum of the exact slices near it.
-  IntervalSet polished() const {
+  /// Each finite end moved outwards to the extremum of the exact slices near it.
+  IntervalSet polished() {
+    std::sort(leaves_.begin(), leaves_.end(), [](const Cell& a, const Cell& b) { return a.from_time < b.from_time; });
     std::vector<Interval> result = joined(found_).intervals();
     for (Interval& interval : result) {
-      interval.upper = -polished_lower_end({-interval.upper, -interval.lower}, -1.0);
-      interval.lower = polished_lower_end(interval, 1.0);
+      const double lower = polished_end(interval, 1.0);
+      const double upper = -polished_end({-interval.upper, -interval.lower}, -1.0);
+      interval = {lower, upper};
     }
     return IntervalSet(std::move(result));
   }
 
-  /// Lower end of sign * (forbidden delays) of one interval, refined within the leaves that reach it.
-  double polished_lower_end(Interval interval, double sign) const {
+  /// The lower end of `interval`, one of sign * (forbidden delays): the least of the local minima in the leaves.
+  double polished_end(Interval interval, double sign) const {
     if (!std::isfinite(interval.lower)) return interval.lower;
-    const auto lowest_at = [&](double position) {
-      const double time = first_.time_at(position);
-      double lowest = kInfinity;
-      for (const Interval& times : times_of_second(forbidden_.slice(position, window_))) {
-        const double end = sign > 0.0 ? time - times.upper : times.lower - time;
-        if (end >= interval.lower - resolution_ && end <= interval.upper) lowest = std::min(lowest, end);
-      }
-      return lowest;
-    };
-    double best = standing_end(interval, sign);
-    for (const Interval& bracket : brackets_reaching(interval.lower, sign)) {
-      // Brent's method needs finite values; beyond the tip of the set the slice is empty.
-      const double outside = interval.lower + 1e3 * resolution_;
-      const auto bounded = [&](double position) { return std::min(lowest_at(position), outside); };
-      const auto [position, lowest] = boost::math::tools::brent_find_minima(bounded, bracket.lower, bracket.upper, 52);
-      best = std::min({best, lowest, lowest_at(bracket.lower), lowest_at(bracket.upper)});
-    }
-    return std::isfinite(best) ? std::max(best, interval.lower) : interval.lower;
-  }
-
-  /// The end that arm 1 standing at its start or goal contributes, if it is the one that counts.
-  double standing_end(Interval interval, double sign) const {
-    double best = kInfinity;
-    for (const bool at_goal : {false, true}) {
-      const double time = at_goal ? first_.duration() : 0.0;
-      for (const Interval& times :
-           times_of_second(forbidden_.slice(at_goal ? first_.goal() : first_.start(), window_))) {
-        const double end = sign > 0.0 ? time - times.upper : times.lower - time;
-        if (end >= interval.lower - resolution_ && end <= interval.upper) best = std::min(best, end);
-      }
+    const auto lowest_at = [&](double position) { return end_of_slice(position, interval, sign); };
+    std::vector<double> lowest;
+    for (const Cell& leaf : leaves_) lowest.push_back(lowest_at(leaf.middle()));
+    double best = interval.lower;
+    for (std::size_t i = 0; i < leaves_.size(); ++i) {
+      const bool has_left = i > 0 && leaves_[i - 1].to == leaves_[i].from;
+      const bool has_right = i + 1 < leaves_.size() && leaves_[i + 1].from == leaves_[i].to;
+      const bool is_minimum = (!has_left || lowest[i] <= lowest[i - 1]) && (!has_right || lowest[i] <= lowest[i + 1]);
+      if (!is_minimum || lowest[i] > interval.lower + 2.0 * resolution_) continue;
+      const double left = has_left ? leaves_[i - 1].middle() : leaves_[i].from;
+      const double right = has_right ? leaves_[i + 1].middle() : leaves_[i].to;
+      best = std::min(best, least_value(lowest_at, left, right));
     }
     return best;
   }
 
-  /// Runs of neighbouring leaves that may contain the lower end of sign * delays.
-  std::vector<Interval> brackets_reaching(double lower_end, double sign) const {
-    std::vector<Interval> near;
-    for (const Cell& leaf : leaves_) {
-      for (const Interval& delays : delays_of(leaf)) {
-        const double end = sign > 0.0 ? delays.lower : -delays.upper;
-        if (std::abs(end - lower_end) <= 4.0 * resolution_) near.push_back(leaf.positions());
-      }
+  /// The least of sign * (delays that the slice at a position forbids) that belongs to `interval`; far above it if
+  /// there is none, as beyond the tip of the set.
+  double end_of_slice(double position, Interval interval, double sign) const {
+    const double time = first_.time_at(position);
+    double lowest = interval.lower + longest_;
+    for (const Interval& times : times_of_second(forbidden_.slice(position, window_))) {
+      const double end = sign > 0.0 ? time - times.upper : times.lower - time;
+      if (end >= interval.lower - 2.0 * resolution_ && end <= interval.upper) lowest = std::min(lowest, end);
     }
-    return IntervalSet(std::move(near)).intervals();
+    return lowest;
   }
 
   const ForbiddenSet& forbidden_;
   const Profile& first_;
   const Profile& second_;
   Interval window_;
-  double resolution_;
+  double longest_;     ///< s, of the two durations
+  double resolution_;  ///< s
   std::vector<Interval> found_;
   std::vector<Cell> leaves_;
 };

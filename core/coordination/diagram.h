@@ -8,8 +8,8 @@ namespace dualarm {
 
 /// The start delays (s, start of arm 2 minus start of arm 1; ends may be infinite) with which two motions collide: the
 /// projection of the forbidden set in own-clock coordinates along the diagonal, where an arm before its start and after
-/// its arrival stands still. The ends are exact to 1e-9 of the longer duration where they are smooth or corners, and
-/// proven to 1e-5 of it: a window of safe delays narrower than that may be counted as forbidden.
+/// its arrival stands still. The ends are local extrema polished to rounding, and proven to be the global ones to 1e-4 of
+/// the longer duration: a window of safe delays narrower than that may be counted as forbidden.
 /// Theory, section 3.
 IntervalSet forbidden_delays(const ForbiddenSet& forbidden, const Profile& first, const Profile& second);
 

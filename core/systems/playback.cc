@@ -11,9 +11,9 @@ namespace {
 constexpr double kInterpolationError = 1e-9;
 /// Rounding of positions (rad) as it shows in the quintic's acceleration, times the square of the spacing.
 constexpr double kPositionRounding = 1e-14;
-/// Fewest intervals of an arc, and how often their number may double.
+/// Fewest intervals of an arc, and up to which number they may double.
 constexpr int kFewestIntervals = 4;
-constexpr int kDoublings = 12;
+constexpr int kMostIntervals = 50000;
 
 /// Acceleration and position of the quintic in the middle between two knots.
 struct Middle {
@@ -78,7 +78,7 @@ class Player {
   std::vector<Knot> knots_along(const Profile& profile, const Arc& arc, const Arc& placed) const {
     int count = std::max(kFewestIntervals, static_cast<int>(std::ceil((arc.end_time - arc.start_time) / knot_period_)));
     std::vector<Knot> knots = knots_along(profile, arc, placed, count);
-    for (int i = 0; i < kDoublings && !faithful(profile, arc, knots); ++i) {
+    while (2 * count <= kMostIntervals && !faithful(profile, arc, knots)) {
       count *= 2;
       knots = knots_along(profile, arc, placed, count);
     }

@@ -18,7 +18,7 @@ const std::map<std::string, Rooms, std::less<>>& arrows() {
       {"proto", {}},
       {"geometry", {}},
       {"core/model", {"geometry"}},
-      {"core/phase_plane", {"core/model"}},
+      {"core/phase_plane", {"geometry", "core/model"}},
       {"core/systems", {"core/model", "core/phase_plane"}},
       {"core/coordination", {"geometry", "core/model", "core/phase_plane"}},
       {"core/verification", {"geometry", "core/model"}},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "core/coordination/start_times.h"
 #include "core/phase_plane/time_optimal.h"
@@ -115,8 +116,16 @@ TEST(ForbiddenDelays, EqualABruteForceScanOnRandomScenes) {
     if (delays.empty() || delays.covers({-kInfinity, kInfinity})) continue;
     ++constrained;
     const BruteForce brute(problem, clearance, pair);
-    const int reach = 450;
-    for (int delay = -reach; delay <= reach; delay += 3) {
+    // Coarsely over all delays, and every step near the ends.
+    std::set<int> tried;
+    for (int delay = -450; delay <= 450; delay += 30) tried.insert(delay);
+    for (const Interval& interval : delays.intervals()) {
+      for (const double end : {interval.lower, interval.upper}) {
+        if (!std::isfinite(end)) continue;
+        for (int offset = -6; offset <= 6; ++offset) tried.insert(static_cast<int>(end / brute.step()) + offset);
+      }
+    }
+    for (const int delay : tried) {
       const double value = delay * brute.step();
       const bool collides = brute.collides(delay);
       // Never smaller: what the scan sees colliding lies inside the forbidden set.
