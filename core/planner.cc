@@ -17,8 +17,8 @@ namespace {
 /// Added to the demanded clearance while planning, m: optimal plans touch the forbidden set, and the proof that they
 /// keep the demanded clearance ends only if there is some room (theory, section 5).
 constexpr double kPlanningMargin = 1e-4;
-/// Most knots an arm's plan may have while it moves; more would not fit a message, and no controller needs them.
-constexpr double kMostKnots = 50000.0;
+/// Most knot periods a plan may last: what is sent stays below the 50,000 knots an arm that a message may hold.
+constexpr double kMostKnots = 49000.0;
 /// A plan this close to its lower bound, relative, is at it: rounding of quadratures and sums.
 constexpr double kAtBound = 1e-9;
 
@@ -108,10 +108,10 @@ class Run {
   std::optional<Answer> verified(Method method, double duration, const Schedule& schedule) {
     if (duration / problem_.options.knot_period > kMostKnots) {
       std::ostringstream line;
-      line << "a plan of " << duration << " s was found, but at a knot period of " << problem_.options.knot_period
+      line << "A plan of " << duration << " s was found, but at a knot period of " << problem_.options.knot_period
            << " s it has more than " << kMostKnots << " knots an arm; ask for a longer knot period";
-      tried_.push_back(line.str());
-      return std::nullopt;
+      remedy_ = line.str();
+      return undecided();
     }
     Plan plan;
     plan.duration = duration;
@@ -120,7 +120,8 @@ class Run {
       plan.trajectory[i] = play(arms_[i], systems_[i], schedule[i], duration, problem_.options.knot_period);
     }
     const auto start = Budget::Clock::now();
-    plan.verification = verify(problem_, plan.trajectory, budget_);
+    // A search may have used up the budget; proving what it found takes milliseconds.
+    plan.verification = verify(problem_, plan.trajectory, budget_.without_deadline());
     statistics_.verification_seconds += seconds_since(start);
     statistics_.distance_query_count += plan.verification.distance_query_count;
     if (!plan.verification.holds()) {
@@ -149,10 +150,9 @@ class Run {
 
   Answer undecided() const {
     Undecided answer;
-    answer.explanation =
-        "No plan was found and none is excluded; allow more methods or a larger planning budget, or try another seed.";
+    answer.explanation = remedy_;
     answer.tried = tried_;
-    answer.seconds_spent = statistics_.planning_seconds;
+    answer.seconds_spent = seconds_since(begin_);
     answer.best_lower_bound = lower_bound();
     return answer;
   }
@@ -165,6 +165,8 @@ class Run {
   std::vector<FastestMotion> fastest_;
   IntervalSet safe_delays_;
   std::vector<std::string> tried_;
+  std::string remedy_ =
+      "No plan was found and none is excluded; allow more methods or a larger planning budget, or try another seed.";
   Statistics statistics_;
 };
 

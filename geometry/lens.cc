@@ -101,11 +101,12 @@ void append(std::vector<Interval>& intervals, Interval next) {
   }
 }
 
-/// The intervals of one turn, repeated for every turn that `window` meets, cut to it.
-std::vector<Interval> unrolled(const std::vector<Interval>& one_turn, double turn_start, Interval window) {
+/// The intervals of the first turn of `window`, repeated for every turn that it meets, cut to it.
+std::vector<Interval> unrolled(const std::vector<Interval>& one_turn, Interval window) {
   std::vector<Interval> result;
-  for (double shift = kTurn * std::floor((window.lower - turn_start) / kTurn); turn_start + shift <= window.upper;
-       shift += kTurn) {
+  const int turns = 1 + static_cast<int>(window.length() / kTurn);
+  for (int turn = 0; turn < turns; ++turn) {
+    const double shift = turn * kTurn;
     for (const Interval& piece : one_turn) {
       const Interval cut = {std::max(piece.lower + shift, window.lower), std::min(piece.upper + shift, window.upper)};
       if (!cut.empty()) append(result, cut);
@@ -137,7 +138,7 @@ std::vector<Interval> colliding_angles(const Segment& fixed, const Segment& turn
     const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
     if (segment_distance(fixed, turned(turning, middle)) <= distance) append(one_turn, {cuts[i], cuts[i + 1]});
   }
-  return unrolled(one_turn, window.lower, window);
+  return unrolled(one_turn, window);
 }
 
 }  // namespace dualarm

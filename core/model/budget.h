@@ -22,6 +22,9 @@ class Budget {
   bool exhausted() const { return cancelled() || (deadline_ != Clock::time_point::max() && Clock::now() >= deadline_); }
   Clock::time_point deadline() const { return deadline_; }
 
+  /// For a short last step that is worth doing after the deadline, as long as the caller still wants the answer.
+  Budget without_deadline() const { return Budget(Clock::time_point::max(), cancelled_); }
+
  private:
   Clock::time_point deadline_ = Clock::time_point::max();
   std::function<bool()> cancelled_;

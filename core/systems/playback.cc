@@ -13,7 +13,7 @@ constexpr double kInterpolationError = 1e-9;
 constexpr double kPositionRounding = 1e-14;
 /// Fewest intervals of an arc, and up to which number they may double.
 constexpr int kFewestIntervals = 4;
-constexpr int kMostIntervals = 50000;
+constexpr int kMostIntervals = 16384;
 
 /// Acceleration and position of the quintic in the middle between two knots.
 struct Middle {

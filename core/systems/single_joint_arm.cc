@@ -4,6 +4,16 @@
 #include <cmath>
 
 namespace dualarm {
+namespace {
+
+/// Appends base + k * period, for every whole k, as far as it lies in `within`.
+void append_repeated(std::vector<double>& positions, double base, double period, Interval within) {
+  const double first = base + period * std::ceil((within.lower - base) / period);
+  const int count = first <= within.upper ? 1 + static_cast<int>((within.upper - first) / period) : 0;
+  for (int k = 0; k < count; ++k) positions.push_back(first + k * period);
+}
+
+}  // namespace
 
 SingleJointArm::SingleJointArm(const Arm& arm)
     : inertia_(arm.inertia),
@@ -25,11 +35,9 @@ Interval SingleJointArm::acceleration_bounds() const {
   };
   include(range_.upper);
   // Gravity is extreme a quarter of a turn from where the arm hangs, on either side.
-  const double quarter = gravity_.phase + 0.5 * std::numbers::pi;
-  for (double s = quarter + std::numbers::pi * std::ceil((range_.lower - quarter) / std::numbers::pi);
-       s <= range_.upper; s += std::numbers::pi) {
-    include(s);
-  }
+  std::vector<double> quarters;
+  append_repeated(quarters, gravity_.phase + 0.5 * std::numbers::pi, std::numbers::pi, range_);
+  std::for_each(quarters.begin(), quarters.end(), include);
   return bounds;
 }
 
@@ -43,12 +51,9 @@ std::vector<double> SingleJointArm::zeros(Extreme extreme, Interval within) cons
   const double ratio = limit(extreme) / gravity_.amplitude;
   if (!(std::abs(ratio) < 1.0)) return {};
   std::vector<double> found;
-  constexpr double kTurn = 2.0 * std::numbers::pi;
   const double angle = std::asin(ratio);
   for (const double base : {gravity_.phase + angle, gravity_.phase + std::numbers::pi - angle}) {
-    for (double s = base + kTurn * std::ceil((within.lower - base) / kTurn); s <= within.upper; s += kTurn) {
-      found.push_back(s);
-    }
+    append_repeated(found, base, 2.0 * std::numbers::pi, within);
   }
   std::sort(found.begin(), found.end());
   return found;

@@ -234,6 +234,15 @@ TEST(Planner, ReturnsTheSamePlanForTheSameProblem) {
   }
 }
 
+TEST(Planner, AsksForALongerKnotPeriodWhereThePlanWouldHaveTooManyKnots) {
+  Problem problem = paper_problem({100, 90}, {140, 150}, 0.1);
+  problem.options.knot_period = 1e-5;
+  const Outcome outcome = plan(problem, Budget());
+  const auto* undecided = std::get_if<Undecided>(&outcome.answer);
+  ASSERT_NE(undecided, nullptr);
+  EXPECT_THAT(undecided->explanation, testing::HasSubstr("ask for a longer knot period"));
+}
+
 TEST(Planner, IsUndecidedWhenItsBudgetIsGone) {
   const Budget gone(Budget::Clock::now() - std::chrono::seconds(1));
   const Outcome outcome = plan(paper_problem({10, 40}, {40, 10}, 0.05), gone);

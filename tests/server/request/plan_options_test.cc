@@ -55,34 +55,6 @@ TEST(ReadPlanOptions, RefusesThePapersRegionForOtherMountings) {
   EXPECT_THAT(found[0].description, ::testing::HasSubstr("use REGION_MODEL_EXACT"));
 }
 
-TEST(ReadPlanOptions, RefusesMotionsOfTooManyKnotsForSlowArms) {
-  wire::PlanMotionRequest request = paper_request();
-  request.mutable_robot()->mutable_arms(1)->mutable_velocity_limit()->set_max_rad_per_s(1e-4);
-  const auto found = violations_of(request);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].field, "options.knot_period_s");
-  EXPECT_THAT(found[0].description, ::testing::HasSubstr("arm 'right' takes at least 872665 knots"));
-}
-
-TEST(ReadPlanOptions, RefusesMotionsOfTooManyKnotsForWeakDrives) {
-  wire::PlanMotionRequest request = paper_request();
-  request.mutable_robot()->mutable_arms(0)->mutable_dynamics()->set_moment_of_inertia_kg_m2(1e9);
-  const auto found = violations_of(request);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_THAT(found[0].description, ::testing::HasSubstr("arm 'left' takes at least 682"));
-}
-
-TEST(ReadPlanOptions, RefusesMotionsOfTooManyKnotsForDrivesThatAreWeakOneWay) {
-  wire::PlanMotionRequest request = paper_request();
-  wire::Arm& arm = *request.mutable_robot()->mutable_arms(0);
-  arm.mutable_dynamics()->mutable_paper()->set_gravity_m_per_s2(0.0);
-  arm.mutable_torque_limit()->mutable_constant()->set_max_newton_meters(1e-6);
-  const auto found = violations_of(request);
-  ASSERT_EQ(found.size(), 1u);
-  // sqrt(2 d I (1/up + 1/down)) = sqrt(2 * 0.698132 * 39 * (1e6 + 1/60)) s, in periods of 0.01 s
-  EXPECT_THAT(found[0].description, ::testing::HasSubstr("arm 'left' takes at least 737931 knots"));
-}
-
 TEST(ReadPlanOptions, FillsInTheDefaults) {
   const auto parsed = parse(paper_request());
   const auto& wish = std::get<PlanWish>(parsed);
