@@ -15,8 +15,10 @@ namespace dualarm {
 namespace {
 
 /// Added to the demanded clearance while planning, m: optimal plans touch the forbidden set, and the proof that they
-/// keep the demanded clearance ends only if there is some room (theory, section 5).
+/// keep the demanded clearance ends only if there is some room (theory, section 5). Where the start or the goal leaves
+/// less, half of what it leaves, but not less than the proof needs on arms of any size.
 constexpr double kPlanningMargin = 1e-4;
+constexpr double kLeastMargin = 1e-5;
 /// Most knot periods a plan may last: what is sent stays below the 50,000 knots an arm that a message may hold.
 constexpr double kMostKnots = 49000.0;
 /// A plan this close to its lower bound, relative, is at it: rounding of quadratures and sums.
@@ -24,6 +26,13 @@ constexpr double kAtBound = 1e-9;
 
 double seconds_since(Budget::Clock::time_point start) {
   return std::chrono::duration<double>(Budget::Clock::now() - start).count();
+}
+
+/// When an arm first moves, s; 0 if it never does.
+double first_start(const std::vector<TimedProfile>& motions) {
+  const auto moves = [](const TimedProfile& motion) { return motion.profile.direction() != 0; };
+  const auto first = std::find_if(motions.begin(), motions.end(), moves);
+  return first == motions.end() ? 0.0 : first->start_time;
 }
 
 /// One planning run: its problem, what was found out so far, and what it cost.
@@ -47,27 +56,39 @@ class Run {
   using Answer = decltype(Outcome::answer);
 
   std::optional<Answer> analytic() {
-    const double clearance = problem_.options.clearance + kPlanningMargin;
     for (int i = 0; i < kArmCount; ++i) {
       const Task& task = problem_.tasks[i];
       auto motion = fastest_motion(systems_[i], task.start.position, task.goal.position);
-      if (const auto* blocked = std::get_if<Blocked>(&motion)) return refuse_blocked(arms_[i], systems_[i], *blocked);
-      fastest_.push_back(std::get<FastestMotion>(std::move(motion)));
+      if (const auto* blocked = std::get_if<Blocked>(&motion)) {
+        const Infeasible refusal = refuse_blocked(arms_[i], systems_[i], *blocked);
+        if (blocked->is_proven) return refusal;
+        tried_.push_back(refusal.explanation + " Swinging back first might help.");
+        lower_bound_ = std::max(lower_bound_, blocked->lower_bound);
+      } else {
+        fastest_.push_back(std::get<FastestMotion>(std::move(motion)));
+        lower_bound_ = std::max(lower_bound_, fastest_.back().lower_bound);
+      }
     }
-    if (auto refusal = refuse_end_states(problem_, clearance, kPlanningMargin)) return *refusal;
-    if (auto refusal = refuse_paper_set(problem_, clearance)) return *refusal;
-    if (auto refusal = refuse_sweeps(problem_, clearance)) return *refusal;
-    return wait(clearance);
+    const double slack = end_state_slack(problem_);
+    margin_ = std::clamp(0.5 * slack, kLeastMargin, kPlanningMargin);
+    if (slack < margin_) return refuse_end_states(problem_, margin_);
+    if (auto refusal = refuse_paper_set(problem_, clearance())) return *refusal;
+    if (auto refusal = refuse_sweeps(problem_, margin_)) return *refusal;
+    if (fastest_.size() < kArmCount) return std::nullopt;
+    return wait();
   }
 
+  /// What is planned with, m: the demanded clearance and the margin.
+  double clearance() const { return problem_.options.clearance + margin_; }
+
   /// The fastest motions, one of them delayed where they would collide. Theory, section 3.
-  std::optional<Answer> wait(double clearance) {
+  std::optional<Answer> wait() {
     const PlanOptions& options = problem_.options;
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const Profile& first = fastest_[0].profile;
     const Profile& second = fastest_[1].profile;
     safe_delays_ =
-        forbidden_delays(ForbiddenSet(problem_, clearance), first, second).complement({-kInfinity, kInfinity});
+        forbidden_delays(ForbiddenSet(problem_, clearance()), first, second).complement({-kInfinity, kInfinity});
     const double longest = options.allows(Method::kDelay)          ? options.max_start_delay
                            : options.allows(Method::kSimultaneous) ? 0.0
                                                                    : -1.0;
@@ -101,6 +122,11 @@ class Run {
          << (result.budget_ran_out ? ", stopped by the budget" : "");
     tried_.push_back(line.str());
     if (!result.schedule) return std::nullopt;
+    const double longest_wait = std::max(first_start(result.schedule->front()), first_start(result.schedule->back()));
+    if (longest_wait > problem_.options.max_start_delay) {
+      tried_.push_back("the schedule found has an arm wait longer than the largest start delay allowed");
+      return std::nullopt;
+    }
     return verified(Method::kStateTime, result.duration, *result.schedule);
   }
 
@@ -128,21 +154,20 @@ class Run {
       tried_.push_back("a plan was found but not verified: " + plan.verification.violations.front().explanation);
       return std::nullopt;
     }
-    plan.certificate = certificate(duration);
+    plan.certificate = certificate(method, duration);
     return plan;
   }
 
-  double lower_bound() const { return std::max(fastest_[0].lower_bound, fastest_[1].lower_bound); }
-
-  Certificate certificate(double duration) const {
+  Certificate certificate(Method method, double duration) const {
     Certificate certificate;
-    certificate.lower_bound = lower_bound();
-    certificate.gap = duration > 0.0 ? std::max(0.0, duration / certificate.lower_bound - 1.0) : 0.0;
-    certificate.safe_start_delays = safe_delays_;
-    const double monotone_bound = std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration());
-    if (duration <= lower_bound() * (1.0 + kAtBound)) {
+    certificate.lower_bound = lower_bound_;
+    certificate.gap = duration > 0.0 ? std::max(0.0, duration / lower_bound_ - 1.0) : 0.0;
+    if (method != Method::kStateTime) certificate.safe_start_delays = safe_delays_;
+    double monotone_bound = 0.0;
+    for (const FastestMotion& motion : fastest_) monotone_bound = std::max(monotone_bound, motion.profile.duration());
+    if (duration <= lower_bound_ * (1.0 + kAtBound)) {
       certificate.claim = Claim::kOptimal;
-    } else if (duration <= monotone_bound * (1.0 + kAtBound)) {
+    } else if (fastest_.size() == kArmCount && duration <= monotone_bound * (1.0 + kAtBound)) {
       certificate.claim = Claim::kOptimalMonotone;
     }
     return certificate;
@@ -153,7 +178,7 @@ class Run {
     answer.explanation = remedy_;
     answer.tried = tried_;
     answer.seconds_spent = seconds_since(begin_);
-    answer.best_lower_bound = lower_bound();
+    answer.best_lower_bound = lower_bound_;
     return answer;
   }
 
@@ -163,6 +188,8 @@ class Run {
   std::array<SingleJointArm, kArmCount> systems_;
   Budget::Clock::time_point begin_ = Budget::Clock::now();
   std::vector<FastestMotion> fastest_;
+  double lower_bound_ = 0.0;         ///< s, of every plan
+  double margin_ = kPlanningMargin;  ///< m
   IntervalSet safe_delays_;
   std::vector<std::string> tried_;
   std::string remedy_ =

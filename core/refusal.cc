@@ -69,34 +69,40 @@ Infeasible outside_range(const Arm& arm, const Blocked& blocked) {
 }
 
 struct PlacedPair {
-  const Body* first;
-  const Body* second;
-  double distance;
+  std::string first;
+  std::string second;
+  double distance = 0.0;
+  bool at_goal = false;
 };
 
-/// The closest pair of bodies when both arms stand at given positions.
-std::optional<PlacedPair> closest_pair(const std::array<std::vector<Body>, kArmCount>& placed_arms,
-                                       const std::vector<Body>& fixed) {
-  std::optional<PlacedPair> closest;
-  const auto consider = [&](const Body& first, const Body& second) {
-    const double distance = clearance(first.capsule, second.capsule).distance;
-    if (!closest || distance < closest->distance) closest = {&first, &second, distance};
-  };
-  for (const Body& first : placed_arms[0]) {
-    for (const Body& second : placed_arms[1]) consider(first, second);
-  }
-  for (const auto& arm : placed_arms) {
-    for (const Body& moving : arm) {
-      for (const Body& standing : fixed) consider(moving, standing);
-    }
-  }
-  return closest;
+std::vector<Body> placed_bodies(const Problem& problem, int arm, bool at_goal) {
+  const Task& task = problem.tasks[arm];
+  const Eigen::Isometry3d pose = link_pose(problem.arms[arm].base, at_goal ? task.goal.position : task.start.position);
+  std::vector<Body> bodies = moving_bodies(problem, arm);
+  for (Body& body : bodies) body.capsule = placed(body.capsule, pose);
+  return bodies;
 }
 
-std::vector<Body> placed_bodies(const Problem& problem, int arm, double position) {
-  std::vector<Body> bodies = moving_bodies(problem, arm);
-  for (Body& body : bodies) body.capsule = placed(body.capsule, link_pose(problem.arms[arm].base, position));
-  return bodies;
+/// The closest two bodies that must not meet, of start and goal.
+std::optional<PlacedPair> closest_pair(const Problem& problem) {
+  const std::vector<Body> fixed = fixed_bodies(problem);
+  std::optional<PlacedPair> closest;
+  for (const bool at_goal : {false, true}) {
+    const auto consider = [&](const std::vector<Body>& some, const std::vector<Body>& others) {
+      for (const Body& first : some) {
+        for (const Body& second : others) {
+          const double distance = clearance(first.capsule, second.capsule).distance;
+          if (!closest || distance < closest->distance) closest = {first.name, second.name, distance, at_goal};
+        }
+      }
+    };
+    const std::vector<Body> of_first = placed_bodies(problem, 0, at_goal);
+    const std::vector<Body> of_second = placed_bodies(problem, 1, at_goal);
+    consider(of_first, of_second);
+    consider(of_first, fixed);
+    consider(of_second, fixed);
+  }
+  return closest;
 }
 
 }  // namespace
@@ -120,29 +126,24 @@ Infeasible refuse_blocked(const Arm& arm, const SingleJointArm& system, const Bl
           evidence};
 }
 
-std::optional<Infeasible> refuse_end_states(const Problem& problem, double clearance, double margin) {
-  const std::vector<Body> fixed = fixed_bodies(problem);
-  for (const bool at_goal : {false, true}) {
-    std::array<std::vector<Body>, kArmCount> arms;
-    for (int i = 0; i < kArmCount; ++i) {
-      const Task& task = problem.tasks[i];
-      arms[i] = placed_bodies(problem, i, at_goal ? task.goal.position : task.start.position);
-    }
-    const std::optional<PlacedPair> pair = closest_pair(arms, fixed);
-    if (!pair || pair->distance >= clearance) continue;
-    Evidence evidence;
-    evidence.first_body = pair->first->name;
-    evidence.second_body = pair->second->name;
-    evidence.depth = clearance - pair->distance;
-    evidence.relaxation = evidence.depth;
-    return Infeasible{at_goal ? InfeasibleReason::kGoalInCollision : InfeasibleReason::kStartInCollision,
-                      sentence("In the ", at_goal ? "goal" : "start", ", ", pair->first->name, " and ",
-                               pair->second->name, " are ", pair->distance, " m apart, and ", clearance - margin,
-                               " m of clearance and ", margin, " m of planning margin are demanded; move the ",
-                               at_goal ? "goal" : "start", " or demand less clearance."),
-                      evidence};
-  }
-  return std::nullopt;
+double end_state_slack(const Problem& problem) {
+  const std::optional<PlacedPair> pair = closest_pair(problem);
+  return pair ? pair->distance - problem.options.clearance : std::numeric_limits<double>::infinity();
+}
+
+Infeasible refuse_end_states(const Problem& problem, double margin) {
+  const PlacedPair pair = closest_pair(problem).value();
+  const char* where = pair.at_goal ? "goal" : "start";
+  Evidence evidence;
+  evidence.first_body = pair.first;
+  evidence.second_body = pair.second;
+  evidence.depth = problem.options.clearance + margin - pair.distance;
+  evidence.relaxation = evidence.depth;
+  return {pair.at_goal ? InfeasibleReason::kGoalInCollision : InfeasibleReason::kStartInCollision,
+          sentence("In the ", where, ", ", pair.first, " and ", pair.second, " are ", pair.distance, " m apart; ",
+                   problem.options.clearance, " m are demanded, and ", margin, " m more for the proof; move the ",
+                   where, " or demand less clearance."),
+          evidence};
 }
 
 std::optional<Infeasible> refuse_paper_set(const Problem& problem, double clearance) {
@@ -166,14 +167,15 @@ std::optional<Infeasible> refuse_paper_set(const Problem& problem, double cleara
   return std::nullopt;
 }
 
-std::optional<Infeasible> refuse_sweeps(const Problem& problem, double clearance) {
+std::optional<Infeasible> refuse_sweeps(const Problem& problem, double margin) {
+  const double demanded = problem.options.clearance;
   const std::vector<Body> fixed = fixed_bodies(problem);
   for (int i = 0; i < kArmCount; ++i) {
     const auto [low, high] = std::minmax({problem.tasks[i].start.position, problem.tasks[i].goal.position});
     for (const Body& moving : moving_bodies(problem, i)) {
       for (const Body& standing : fixed) {
         const IntervalSet blocked =
-            blocked_positions(problem.arms[i].base, moving.capsule, standing.capsule, clearance, {low, high});
+            blocked_positions(problem.arms[i].base, moving.capsule, standing.capsule, demanded + margin, {low, high});
         if (blocked.empty()) continue;
         const Interval first = blocked.intervals().front();
         Evidence evidence;
@@ -182,9 +184,10 @@ std::optional<Infeasible> refuse_sweeps(const Problem& problem, double clearance
         evidence.first_body = moving.name;
         evidence.second_body = standing.name;
         return Infeasible{InfeasibleReason::kObjectInSweep,
-                          sentence(standing.name, " stands in the way of ", moving.name, " (", problem.arms[i].name,
-                                   "): from ", first.lower, " to ", first.upper, " rad they are closer than ",
-                                   clearance, " m, between start and goal; move the object or the goal."),
+                          sentence(standing.name, " stands in the way of ", moving.name, ": with ",
+                                   problem.arms[i].name, " from ", first.lower, " to ", first.upper,
+                                   " rad, between start and goal, they are closer than the demanded ", demanded,
+                                   " m and the ", margin, " m more for the proof; move the object or the goal."),
                           evidence};
       }
     }

@@ -122,11 +122,44 @@ double relaxed_duration(const System& system, const Path& path) {
   const bool rising = path.direction() > 0.0;
   const double drive = rising ? bounds.upper : -bounds.lower;
   const double brake = rising ? -bounds.lower : bounds.upper;
+  if (!(drive > 0.0 && brake > 0.0)) return 0.0;
   const double inverse_sum = 1.0 / drive + 1.0 / brake;
   const double energy = std::min(path.length() / inverse_sum, path.energy_limit());
   const double peak = std::sqrt(2.0 * energy);
   const double cruise = path.length() - energy * inverse_sum;
   return peak * inverse_sum + cruise / peak;
+}
+
+/// What two sums of work may differ by, (rad/s)2, and be the same.
+constexpr double kWorkRounding = 1e-12;
+
+/// Whether not even a motion that swings back as far as the range allows gets past. On its way forwards past x it last
+/// turned round at some q, so its energy at x is at most the driving work from q to x. If that is negative from every q
+/// that the range offers before x, no motion passes x; and it is, where the work from the range's end falls below
+/// everything that it was before the start. Theory, section 1.3.
+bool impassable(const Path& path, double range_before_start) {
+  const auto work = [&](double x) { return path.work(ArcKind::kAccelerate, 0.0, x); };
+  const auto least_work = [&](double from, double to) {
+    const std::vector<double> cuts = path.monotone_pieces(ArcKind::kAccelerate, from, to);
+    double least = work(from);
+    for (const double x : cuts) least = std::min(least, work(x));
+    return least;
+  };
+  return least_work(0.0, path.length()) < least_work(-range_before_start, 0.0) - kWorkRounding;
+}
+
+/// The same blocked motion with what is known about motions of every kind. Time reversed, braking onto the goal is
+/// driving away from it, so both reasons are one.
+Blocked judged(Blocked blocked, const System& system, const Path& path, double start, double goal) {
+  const Interval range = system.range();
+  const bool rising = goal > start;
+  if (blocked.reason == BlockReason::kStalls) {
+    blocked.is_proven = impassable(path, rising ? start - range.lower : range.upper - start);
+  } else {
+    blocked.is_proven = impassable(Path(system, goal, start), rising ? range.upper - goal : goal - range.lower);
+  }
+  blocked.lower_bound = relaxed_duration(system, path);
+  return blocked;
 }
 
 }  // namespace
@@ -142,16 +175,17 @@ std::variant<FastestMotion, Blocked> fastest_motion(const System& system, double
 
   const Path path(system, start, goal);
   // At the very limit of what can be held the motion would take for ever.
+  const auto judge = [&](const Blocked& blocked) { return judged(blocked, system, path, start, goal); };
   if (!(path.acceleration(ArcKind::kAccelerate, 0.0) > 0.0)) {
-    return Blocked{BlockReason::kStalls, start, path.extreme(ArcKind::kAccelerate)};
+    return judge({BlockReason::kStalls, start, path.extreme(ArcKind::kAccelerate)});
   }
   if (!(path.acceleration(ArcKind::kBrake, path.length()) < 0.0)) {
-    return Blocked{BlockReason::kCannotBrake, goal, path.extreme(ArcKind::kBrake)};
+    return judge({BlockReason::kCannotBrake, goal, path.extreme(ArcKind::kBrake)});
   }
   const auto ceiling = braking_ceiling(path);
-  if (const auto* blocked = std::get_if<Blocked>(&ceiling)) return *blocked;
+  if (const auto* blocked = std::get_if<Blocked>(&ceiling)) return judge(*blocked);
   const auto walked = ForwardWalk(path, std::get<std::vector<Stretch>>(ceiling)).run();
-  if (const auto* blocked = std::get_if<Blocked>(&walked)) return *blocked;
+  if (const auto* blocked = std::get_if<Blocked>(&walked)) return judge(*blocked);
   Profile profile(system, to_arcs(path, std::get<std::vector<Stretch>>(walked)));
   if (strong(system)) return FastestMotion{profile, MinimumOver::kAllMotions, profile.duration()};
   return FastestMotion{profile, MinimumOver::kMonotoneMotions, relaxed_duration(system, path)};

@@ -34,6 +34,8 @@ struct Blocked {
   BlockReason reason = BlockReason::kStalls;
   double position = 0.0;                ///< rad, where
   Extreme extreme = Extreme::kHighest;  ///< the end of the admissible accelerations that falls short there
+  bool is_proven = true;                ///< no motion of any kind exists; false if swinging back first might help
+  double lower_bound = 0.0;             ///< s, below which no motion of any kind gets there, if one exists
 };
 
 /// The fastest monotone motion from rest at `start` to rest at `goal` under the system's limits: full acceleration,

@@ -117,6 +117,41 @@ TEST(Planner, KeepsTheLargestStartDelay) {
   EXPECT_NEAR(*refused.evidence.relaxation, 1e-3, 1e-9);
 }
 
+TEST(Planner, KeepsTheLargestStartDelayInTheSearchToo) {
+  Problem problem = paper_problem({30, 60}, {60, 30}, 0.05);
+  problem.options.max_start_delay = 0.01;
+  const Outcome outcome = plan(problem, Budget());
+  if (const auto* found = std::get_if<Plan>(&outcome.answer)) {
+    for (const ArmTrajectory& arm : found->trajectory) EXPECT_LE(arm.start_time, 0.01);
+  } else {
+    EXPECT_TRUE(std::holds_alternative<Undecided>(outcome.answer));
+  }
+}
+
+TEST(Planner, DoesNotCallImpossibleWhatASwingMightDo) {
+  // theory.md, section 1.3: no monotone motion lifts a hanging arm at T/G = 0.60, a back-swing does.
+  Problem problem = paper_problem({0, 100}, {180, 100}, 0.05);
+  problem.arms[1].base.position.x() = 20.0;
+  problem.arms[0].torque = {-0.6 * 29.43, 0.6 * 29.43};
+  EXPECT_EQ(must_refuse(problem).reason, InfeasibleReason::kTorqueTooSmall);
+  problem.arms[0].joint_range = {-4.0, 4.0};
+  const Outcome outcome = plan(problem, Budget());
+  EXPECT_FALSE(std::holds_alternative<Infeasible>(outcome.answer));
+  if (const auto* found = std::get_if<Plan>(&outcome.answer)) {
+    EXPECT_THAT(independent_check(problem, found->trajectory), testing::IsEmpty());
+    EXPECT_NE(found->certificate.claim, Claim::kOptimal);
+  }
+}
+
+TEST(Planner, PlansFromStartsThatHardlyKeepTheClearance) {
+  Problem problem = paper_problem({30, 60}, {60, 30}, 0.05);
+  const double distance = -*must_refuse(paper_problem({30, 60}, {60, 30}, 0.05, 10.0)).evidence.depth + 10.0;
+  for (const double slack : {3e-5, 1.5e-4}) {
+    problem.options.clearance = distance - slack;
+    EXPECT_GE(must_plan(problem).verification.min_clearance, problem.options.clearance) << slack;
+  }
+}
+
 TEST(Planner, CoversEveryPairOfDirectionsAndTheirMirrorImages) {
   // Cases 1, 2 and 3 of the paper as theory.md, section 3 reads them, arms that stay, and all with the arms exchanged.
   const std::array<std::array<double, 2>, 2> moves[] = {

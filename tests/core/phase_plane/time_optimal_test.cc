@@ -117,6 +117,34 @@ TEST(FastestMotion, CannotComeDownOntoAPlaceWhereItCannotBrake) {
   EXPECT_EQ(blocked.reason, BlockReason::kCannotBrake);
 }
 
+TEST(FastestMotion, ProvesThatNoSwingHelpsOnlyWhereNoneCan) {
+  // theory.md, section 1.3: at T/G = 0.60 a back-swing of 6.696 s lifts the arm, if its range allows it.
+  Arm arm = pendulum(1.0, 1.0, 0.6);
+  const Blocked free = must_block(SingleJointArm(arm), 0.0, kPi);
+  EXPECT_FALSE(free.is_proven);
+  EXPECT_LT(free.lower_bound, 6.696);
+  EXPECT_GT(free.lower_bound, 0.0);
+  const Blocked down = must_block(SingleJointArm(arm), kPi, 0.0);
+  EXPECT_EQ(down.reason, BlockReason::kCannotBrake);
+  EXPECT_FALSE(down.is_proven);
+  arm.joint_range = {0.0, kPi};
+  EXPECT_TRUE(must_block(SingleJointArm(arm), 0.0, kPi).is_proven);
+  EXPECT_TRUE(must_block(SingleJointArm(arm), kPi, 0.0).is_proven);
+}
+
+TEST(FastestMotion, ProvesWhereSwingingBackGainsTooLittle) {
+  // Energy gained on the way from q: 0.6 (x - q) - (cos q - cos x). From q = -0.3 it is negative at x = 2.2; from the
+  // holdable q = -0.64 too, but a swing to q = -1.5 would do.
+  Arm arm = pendulum(1.0, 1.0, 0.6);
+  for (const double q : {-0.3, -1.5}) {
+    arm.joint_range = {q, kPi};
+    const auto energy = [&](double x) { return 0.6 * (x - q) - (std::cos(q) - std::cos(x)); };
+    double least = 1.0;
+    for (double x = q + 0.5; x < kPi; x += 0.01) least = std::min(least, energy(x));
+    EXPECT_EQ(must_block(SingleJointArm(arm), 0.0, kPi).is_proven, least < 0.0) << q;
+  }
+}
+
 TEST(FastestMotion, RefusesEndsThatCannotBeHeld) {
   const SingleJointArm system(pendulum(1.0, 1.0, 0.5));
   EXPECT_EQ(must_block(system, 1.5, 0.1).reason, BlockReason::kStartNotHoldable);
