@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "server/errors.h"
+#include "server/logs.h"
 #include "server/request/requests.h"
 #include "server/response/responses.h"
 #include "server/unary_call.h"
@@ -13,11 +14,14 @@
 namespace dualarm {
 namespace {
 
-// A call that ends as soon as it begins.
+// A call of an RPC that this version does not serve: it ends as soon as it begins.
 template <typename Reactor>
 class RefusedCall final : public Reactor {
  public:
-  explicit RefusedCall(const grpc::Status& status) { this->Finish(status); }
+  RefusedCall(std::string_view rpc, std::string_view instead) {
+    log_call({rpc, grpc::StatusCode::UNIMPLEMENTED, "not served", 0.0, 0.0});
+    this->Finish(not_served(rpc, instead));
+  }
   void OnDone() override { delete this; }
 };
 
@@ -91,19 +95,19 @@ grpc::ServerUnaryReactor* PlanningService::GetPhasePortrait(grpc::CallbackServer
                                                             const wire::GetPhasePortraitRequest* /*request*/,
                                                             wire::GetPhasePortraitResponse* /*response*/) {
   return new RefusedCall<grpc::ServerUnaryReactor>(
-      not_served("GetPhasePortrait", "the arcs of a plan by PlanMotion hold the fastest motions of both arms"));
+      "GetPhasePortrait", "the arcs of a plan by PlanMotion hold the fastest motions of both arms");
 }
 
 grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanningService::PlanMotionStream(
     grpc::CallbackServerContext* /*context*/, const wire::PlanMotionStreamRequest* /*request*/) {
   return new RefusedCall<grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>>(
-      not_served("PlanMotionStream", "call PlanMotion, which answers once with the same outcome"));
+      "PlanMotionStream", "call PlanMotion, which answers once with the same outcome");
 }
 
 grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>* PlanningService::PlanMotionBatch(
     grpc::CallbackServerContext* /*context*/) {
   return new RefusedCall<grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>>(
-      not_served("PlanMotionBatch", "call PlanMotion once for each request"));
+      "PlanMotionBatch", "call PlanMotion once for each request");
 }
 
 }  // namespace dualarm

@@ -12,6 +12,7 @@ namespace {
 
 int run(int argc, char** argv) {
   CLI::App app("Time-optimal, verified motions for two arms that share a workspace.", "dualarm");
+  app.set_version_flag("--version", "dualarm " DUALARM_VERSION);
   app.require_subcommand(1);
   PlanCommand plan;
   VerifyCommand verify;

@@ -64,7 +64,7 @@ std::string plan_report(const std::string& name, const PlanMotionResponse& respo
       text = fmt::format("{}: a verified plan\n\n{}", name, lines_of(response.plan()));
       break;
     case PlanMotionResponse::kInfeasible:
-      text = fmt::format("{}: no plan exists\n\n{}", name, lines_of(response.infeasible()));
+      text = fmt::format("{}: no plan exists within what the request allows\n\n{}", name, lines_of(response.infeasible()));
       break;
     case PlanMotionResponse::kUndecided:
       text = fmt::format("{}: undecided, no plan was found and none is excluded\n\n{}", name,

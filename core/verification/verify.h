@@ -23,7 +23,7 @@ enum class ViolationKind {
   kTorqueColumn,      ///< the torque that is written is not the one that the motion needs
   kArc,               ///< arcs and knots tell different motions
   kClearance,         ///< two bodies come closer than demanded
-  kClearanceUnknown,  ///< the proof did not end: neither free nor a collision
+  kClearanceUnknown,  ///< the proof did not end, of the clearance or (out of budget) of a limit: neither kept nor broken
 };
 
 struct Violation {

@@ -43,7 +43,7 @@ TEST(PlanReport, NamesSafeDelaysAndBrokenDemands) {
 
 TEST(PlanReport, OfARefusalGivesReasonAndExplanation) {
   const std::string report = plan_report("two_arms", sample_infeasible());
-  EXPECT_THAT(report, StartsWith("two_arms: no plan exists\n"));
+  EXPECT_THAT(report, StartsWith("two_arms: no plan exists within what the request allows\n"));
   EXPECT_THAT(report, HasSubstr("reason       torque too small"));
   EXPECT_THAT(report, HasSubstr("because      left needs 70 N m"));
 }
