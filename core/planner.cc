@@ -19,6 +19,8 @@ namespace {
 /// less, half of what it leaves, but not less than the proof needs on arms of any size.
 constexpr double kPlanningMargin = 1e-4;
 constexpr double kLeastMargin = 1e-5;
+/// How long a plan found when the budget ends may take to be proven.
+constexpr std::chrono::milliseconds kVerificationGrace(250);
 /// Most knot periods a plan may last: what is sent stays below the 50,000 knots an arm that a message may hold.
 constexpr double kMostKnots = 49000.0;
 /// A plan this close to its lower bound, relative, is at it: rounding of quadratures and sums.
@@ -87,8 +89,12 @@ class Run {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const Profile& first = fastest_[0].profile;
     const Profile& second = fastest_[1].profile;
-    safe_delays_ =
-        forbidden_delays(ForbiddenSet(problem_, clearance()), first, second).complement({-kInfinity, kInfinity});
+    const auto forbidden = forbidden_delays(ForbiddenSet(problem_, clearance()), first, second, budget_);
+    if (!forbidden) {
+      tried_.push_back("start delays: the budget ran out");
+      return std::nullopt;
+    }
+    safe_delays_ = forbidden->complement({-kInfinity, kInfinity});
     const double longest = options.allows(Method::kDelay)          ? options.max_start_delay
                            : options.allows(Method::kSimultaneous) ? 0.0
                                                                    : -1.0;
@@ -147,7 +153,7 @@ class Run {
     }
     const auto start = Budget::Clock::now();
     // A search may have used up the budget; proving what it found takes milliseconds.
-    plan.verification = verify(problem_, plan.trajectory, budget_.without_deadline());
+    plan.verification = verify(problem_, plan.trajectory, budget_.with_grace(kVerificationGrace));
     statistics_.verification_seconds += seconds_since(start);
     statistics_.distance_query_count += plan.verification.distance_query_count;
     if (!plan.verification.holds()) {

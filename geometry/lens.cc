@@ -124,6 +124,10 @@ double segment_distance(const Segment& first, const Segment& second) {
 }
 
 std::vector<Interval> colliding_angles(const Segment& fixed, const Segment& turning, double distance, Interval window) {
+  const Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  const double reach = std::max(turning.start.norm(), turning.end.norm());
+  if (point_distance(origin, fixed) > reach + distance) return {};
+  if (std::max(fixed.start.norm(), fixed.end.norm()) < point_distance(origin, turning) - distance) return {};
   // The distance equals `distance` only where an end of one segment touches a cap or a flank of the other. Between two
   // neighbouring candidates the answer cannot change, so one test in the middle decides.
   Candidates candidates;

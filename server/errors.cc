@@ -95,6 +95,13 @@ grpc::Status not_served(std::string_view rpc, std::string_view instead) {
   return status(grpc::StatusCode::UNIMPLEMENTED, message, message, error_info("NOT_SERVED"));
 }
 
+grpc::Status region_out_of_time() {
+  const std::string message =
+      "the forbidden region was not ready within the deadline and the server's longest computation of one call: ask "
+      "for a lower resolution or fewer objects";
+  return status(grpc::StatusCode::DEADLINE_EXCEEDED, message, message, error_info("OUT_OF_TIME"));
+}
+
 grpc::Status cancelled() {
   const std::string message = "the caller no longer waits for the answer";
   return status(grpc::StatusCode::CANCELLED, message, message, error_info("CANCELLED"));

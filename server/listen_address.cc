@@ -1,10 +1,12 @@
 #include "server/listen_address.h"
 
+#include <fmt/format.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
+#include <charconv>
 #include <cstring>
 #include <string_view>
 
@@ -12,8 +14,30 @@ namespace dualarm {
 namespace {
 
 constexpr std::string_view kUnixScheme = "unix:";
+constexpr int kLargestPort = 65535;
+
+bool is_port(std::string_view text) {
+  int port = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  return error == std::errc() && end == text.data() + text.size() && port >= 0 && port <= kLargestPort;
+}
+
+bool is_host_and_port(std::string_view address) {
+  const std::size_t colon = address.rfind(':');
+  if (colon == std::string_view::npos || colon == 0) return false;
+  const std::string_view host = address.substr(0, colon);
+  const bool bracketed = host.front() == '[' && host.back() == ']';
+  return (bracketed || host.find(':') == std::string_view::npos) && is_port(address.substr(colon + 1));
+}
 
 }  // namespace
+
+std::string complaint_about_address(const std::string& address) {
+  if (is_unix_address(address) ? address.size() > kUnixScheme.size() : is_host_and_port(address)) return "";
+  return fmt::format(
+      "'{}' is no address: give HOST:PORT with a port of 0 to {}, such as 127.0.0.1:50051 or [::1]:50051, or unix:PATH",
+      address, kLargestPort);
+}
 
 bool is_unix_address(const std::string& address) { return address.starts_with(kUnixScheme); }
 

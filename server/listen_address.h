@@ -6,6 +6,10 @@ namespace dualarm {
 
 /// Where a server listens: "HOST:PORT" or "unix:PATH".
 
+/// What is wrong with an address, and what one looks like; "" if it is well-formed. gRPC takes a port beyond 65535
+/// modulo 65536, so that a typing error would open another port than the one asked for.
+std::string complaint_about_address(const std::string& address);
+
 /// True for addresses that only this machine reaches: unix sockets, localhost, 127.*, [::1].
 bool is_local_address(const std::string& address);
 

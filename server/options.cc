@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "server/listen_address.h"
+
 namespace dualarm {
 namespace {
 
@@ -13,7 +15,8 @@ void add_options(CLI::App& app, ServerOptions& options) {
   app.set_version_flag("--version", "dualarm-server " DUALARM_VERSION);
   app.option_defaults()->always_capture_default();
   app.add_option("--listen", options.listen, "HOST:PORT (port 0: any free one) or unix:PATH")
-      ->envname("DUALARM_LISTEN");
+      ->envname("DUALARM_LISTEN")
+      ->check(CLI::Validator(complaint_about_address, ""));
   app.add_option("--port-file", options.port_file, "Write the bound port to this file")->envname("DUALARM_PORT_FILE");
   app.add_flag("--allow-insecure-remote", options.allow_insecure_remote,
                "Serve plaintext on addresses other than loopback and unix sockets")

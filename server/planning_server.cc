@@ -18,6 +18,8 @@ std::chrono::nanoseconds nanoseconds(double seconds) {
 }
 
 void check_address(const ServerOptions& options) {
+  const std::string complaint = complaint_about_address(options.listen);
+  if (!complaint.empty()) throw std::runtime_error(complaint);
   if (!is_local_address(options.listen) && !options.allow_insecure_remote) {
     throw std::runtime_error(
         fmt::format("{} can be reached from other machines, and this server speaks plaintext: listen on 127.0.0.1, or "

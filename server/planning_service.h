@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/coordination/region.h"
@@ -16,7 +17,7 @@ namespace dualarm {
 struct PlanningFunctions {
   std::function<Outcome(const Problem&, const Budget&)> plan;
   std::function<Verification(const Problem&, const Trajectory&, const Budget&, bool check_end_states)> verify;
-  std::function<std::vector<Contour>(const Problem&, int resolution)> forbidden_region;
+  std::function<std::optional<std::vector<Contour>>(const Problem&, int resolution, const Budget&)> forbidden_region;
 };
 
 /// The RPCs of proto/dualarm/planning/v1/planning_service.proto. Each parses, has a worker compute, and renders; no

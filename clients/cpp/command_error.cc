@@ -29,7 +29,7 @@ std::string headline(const grpc::Status& status, const std::string& server) {
     case grpc::StatusCode::UNAVAILABLE:
       return "no answer from " + server + ": " + status.error_message();
     case grpc::StatusCode::DEADLINE_EXCEEDED:
-      return "no answer within the timeout: " + status.error_message();
+      return "no answer in time: " + status.error_message();
     case grpc::StatusCode::RESOURCE_EXHAUSTED:
       return server + " cannot take the request: " + status.error_message();
     case grpc::StatusCode::CANCELLED:

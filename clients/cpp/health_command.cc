@@ -1,10 +1,10 @@
 #include "clients/cpp/health_command.h"
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 
 #include "clients/cpp/interruption.h"
 #include "clients/cpp/planning_client.h"
+#include "clients/cpp/standard_output.h"
 
 namespace dualarm {
 
@@ -18,7 +18,7 @@ void HealthCommand::add_to(CLI::App& command) {
 ExitStatus HealthCommand::run(const Interruption& interruption) const {
   PlanningClient client(connection, interruption.token());
   const bool serving = client.is_serving(service);
-  std::cout << client.server_name() << (serving ? " is serving" : " is not serving") << std::endl;
+  print(client.server_name() + (serving ? " is serving\n" : " is not serving\n"));
   return serving ? ExitStatus::kDone : ExitStatus::kUnreachable;
 }
 

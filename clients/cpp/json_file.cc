@@ -2,9 +2,12 @@
 
 #include <google/protobuf/util/json_util.h>
 
+#include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <system_error>
 
 #include "clients/cpp/command_error.h"
 
@@ -13,25 +16,42 @@ namespace {
 
 std::string text_from(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
 
-std::string read_text(const std::string& path) {
-  if (path == "-") return text_from(std::cin);
-  std::ifstream stream(path, std::ios::binary);
-  // A folder opens and fails at the first read only.
-  if (!stream || stream.peek() == std::ifstream::traits_type::eof()) {
-    throw CommandError(ExitStatus::kInvalid, path + ": cannot be read, or is empty");
-  }
-  return text_from(stream);
+std::string shown(const std::string& path) { return path == "-" ? "stdin" : path; }
+
+[[noreturn]] void complain(const std::string& path, const std::string& problem) {
+  throw CommandError(ExitStatus::kInvalid, shown(path) + ": " + problem);
 }
 
 }  // namespace
 
+std::string read_text(const std::string& path) {
+  std::error_code no_folder;
+  if (path != "-" && std::filesystem::is_directory(path, no_folder)) complain(path, "cannot be read: it is a directory");
+  std::string text;
+  if (path == "-") {
+    text = text_from(std::cin);
+  } else {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) complain(path, "cannot be read: " + std::generic_category().message(errno));
+    text = text_from(stream);
+  }
+  if (text.empty()) complain(path, "is empty");
+  return text;
+}
+
 void read_json(const std::string& path, google::protobuf::Message& message) {
-  const std::string text = read_text(path);
+  parse_json(path, read_text(path), message);
+}
+
+bool is_json_of(const std::string& text, google::protobuf::Message& message) {
+  return google::protobuf::util::JsonStringToMessage(text, &message).ok();
+}
+
+void parse_json(const std::string& path, const std::string& text, google::protobuf::Message& message) {
   const auto status = google::protobuf::util::JsonStringToMessage(text, &message);
   if (status.ok()) return;
-  const std::string name = path == "-" ? "stdin" : path;
-  throw CommandError(ExitStatus::kInvalid, name + ": is not the JSON form of " + message.GetDescriptor()->full_name() +
-                                               ": " + std::string(status.message()));
+  complain(path,
+           "is not the JSON form of " + message.GetDescriptor()->full_name() + ": " + std::string(status.message()));
 }
 
 std::string json_of(const google::protobuf::Message& message) {

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kStartTimeout = std::chrono::seconds(10);
-constexpr auto kStopTimeout = std::chrono::seconds(5);
+constexpr auto kStopTimeout = std::chrono::milliseconds(300);  // nobody waits for its answers any more
 constexpr auto kPollPeriod = std::chrono::milliseconds(2);
 
 fs::path server_beside_this_program() {
@@ -69,9 +69,14 @@ bool accepts_connections(const fs::path& socket_path) {
 }  // namespace
 
 PrivateFolder::PrivateFolder() {
-  std::string name = (fs::temp_directory_path() / "dualarm-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) {
-    throw CommandError(ExitStatus::kUnreachable, name + ": " + std::generic_category().message(errno));
+  std::error_code error;
+  std::string name = (fs::temp_directory_path(error) / "dualarm-XXXXXX").string();
+  if (!error && mkdtemp(name.data()) == nullptr) error = {errno, std::generic_category()};
+  if (error) {
+    throw CommandError(ExitStatus::kUnreachable,
+                       "no folder for the private server's socket (" + error.message() +
+                           "): set TMPDIR to a folder that you may write to, or say where a server listens with "
+                           "--server");
   }
   path_ = name;
 }
@@ -109,7 +114,7 @@ bool ChildProcess::has_ended() {
 }
 
 LocalServer::LocalServer(const std::stop_token& stop)
-    : process_(server_beside_this_program(), {"--listen", address(), "--drain-seconds", "1"}, log()) {
+    : process_(server_beside_this_program(), {"--listen", address(), "--drain-seconds", "0"}, log()) {
   const auto deadline = Clock::now() + kStartTimeout;
   while (!accepts_connections(socket())) {
     if (stop.stop_requested()) throw CommandError(ExitStatus::kInterrupted, "interrupted");

@@ -24,7 +24,7 @@ class PrivateFolder {
   std::filesystem::path path_;
 };
 
-/// A child process. It is sent SIGTERM when the object goes, SIGKILL where it has not ended 5 s later, and never
+/// A child process. It is sent SIGTERM when the object goes, SIGKILL where it has not ended 0.3 s later, and never
 /// outlives this process, however that ends.
 class ChildProcess {
  public:

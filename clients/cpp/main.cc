@@ -5,6 +5,7 @@
 #include "clients/cpp/health_command.h"
 #include "clients/cpp/interruption.h"
 #include "clients/cpp/plan_command.h"
+#include "clients/cpp/standard_output.h"
 #include "clients/cpp/verify_command.h"
 
 namespace dualarm {
@@ -26,7 +27,9 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitStatus::kInvalid);
+    const bool is_answer = app.exit(error) == 0;  // help or version
+    print("");
+    return static_cast<int>(is_answer ? ExitStatus::kDone : ExitStatus::kInvalid);
   }
   const Interruption interruption;
   if (plan_app->parsed()) return static_cast<int>(plan.run(interruption));

@@ -11,6 +11,7 @@
 #include "clients/cpp/plan_svg.h"
 #include "clients/cpp/plan_table.h"
 #include "clients/cpp/planning_client.h"
+#include "clients/cpp/standard_output.h"
 
 namespace dualarm {
 namespace {
@@ -28,13 +29,20 @@ std::string scenario_name(const std::string& file) {
   return file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
 }
 
+// The error with the name of its file, which errors of reading have already.
+std::string about(const std::string& file, const std::string& error) {
+  const std::string prefix = (file == "-" ? "stdin" : file) + ": ";
+  return error.starts_with(prefix) ? error : prefix + error;
+}
+
 }  // namespace
 
 void PlanCommand::add_to(CLI::App& command) {
   command.add_option("FILE", files, "requests (PlanMotionRequest as JSON, see scenarios/); - is stdin")->required();
   auto* json_flag = command.add_flag("--json", json, "print the answer as JSON and nothing else; one FILE");
   command.add_flag("--table", table, "print one row a FILE")->excludes(json_flag);
-  command.add_option("--output", output, "also write the answer as JSON to this file; one FILE");
+  command.add_option("--output", output, "also write the answer (PlanMotionResponse as JSON, what --json prints) to this file, for "
+                     "'dualarm verify FILE --plan'; one FILE");
   command.add_option("--svg", svg, "draw the plan in the plane of the joint positions into this file; one FILE");
   command.add_option("--svg-folder", svg_folder, "draw every plan into this folder, as <name of FILE>.svg")
       ->check(CLI::ExistingDirectory);
@@ -51,16 +59,19 @@ void PlanCommand::add_to(CLI::App& command) {
 
 ExitStatus PlanCommand::run(const Interruption& interruption) const {
   const PlanningClient client(connection, interruption.token());
-  if (table) std::cout << table_header() << std::flush;
+  if (table) print(table_header());
   ExitStatus worst = ExitStatus::kDone;
   for (const std::string& file : files) {
     try {
       worst = std::max(worst, plan_one(client, file));
     } catch (const CommandError& error) {
-      if (files.size() == 1 || error.status() == ExitStatus::kInterrupted) throw;
+      if (files.size() == 1 || error.status() == ExitStatus::kInterrupted || !std::cout) throw;
       worst = std::max(worst, error.status());
-      if (table) std::cout << table_row(scenario_name(file), error.what()) << std::flush;
-      std::cerr << "dualarm: " << file << ": " << error.what() << std::endl;
+      if (table) {
+        print(table_row(scenario_name(file), error.what()));
+      } else {
+        std::cerr << "dualarm: " << about(file, error.what()) << std::endl;
+      }
     }
   }
   return worst;
@@ -72,11 +83,11 @@ ExitStatus PlanCommand::plan_one(const PlanningClient& client, const std::string
   const PlanMotionResponse response = client.plan(request);
   if (!output.empty()) write_text(output, json_of(response));
   if (json) {
-    std::cout << json_of(response) << std::flush;
+    print(json_of(response));
   } else if (table) {
-    std::cout << table_row(scenario_name(file), response) << std::flush;
+    print(table_row(scenario_name(file), response));
   } else {
-    std::cout << plan_report(scenario_name(file), response) << std::endl;
+    print(plan_report(scenario_name(file), response) + "\n");
   }
   draw(client, file, request, response);
   return exit_status_of(response);

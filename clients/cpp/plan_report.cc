@@ -39,7 +39,7 @@ std::string lines_of(const Plan& plan) {
   std::string lines =
       fmt::format("  duration     {}, method {}\n", seconds(plan.duration_s()), words_for(plan.method()));
   lines +=
-      fmt::format("  lower bound  {}, gap {:.2f} %\n", seconds(certificate.lower_bound_s()), 100.0 * certificate.gap());
+      fmt::format("  lower bound  {}, gap {}\n", seconds(certificate.lower_bound_s()), percent(certificate.gap()));
   lines += fmt::format("  claim        {}\n", claim_sentence(plan));
   return lines + arm_lines(plan) + verification_lines(plan.verification()) + safe_delay_lines(plan);
 }

@@ -9,8 +9,21 @@ namespace {
 
 using namespace planning::v1;
 
+// A use without an arm was never looked at: the verifier stopped at knots that are no motion.
 std::string utilisation(const char* limit, const Utilisation& use) {
-  return fmt::format("{} {:.2f} % ({} at {})", limit, 100.0 * use.value(), use.arm(), seconds(use.time_s()));
+  if (use.arm().empty()) return fmt::format("{} not judged", limit);
+  return fmt::format("{} {} ({} at {})", limit, percent(use.value()), use.arm(), seconds(use.time_s()));
+}
+
+bool is_judged(const Verification& verification) {
+  return verification.collision_free() || verification.has_closest() ||
+         !verification.torque_utilisation().arm().empty();
+}
+
+// Sentences begin with the name of the arm, which a trajectory may lack.
+std::string demand(const Violation& violation) {
+  const std::string& text = violation.explanation();
+  return text.starts_with(' ') ? "a trajectory that names no arm" + text : text;
 }
 
 std::string clearance_text(const Verification& verification) {
@@ -23,13 +36,18 @@ std::string clearance_text(const Verification& verification) {
 }  // namespace
 
 std::string verification_lines(const Verification& verification) {
-  std::string lines = fmt::format("  clearance    {}, {}\n", clearance_text(verification),
-                                  verification.collision_free() ? "proven at every instant" : "NOT proven");
-  lines += fmt::format("  limits used  {}\n", utilisation("torque", verification.torque_utilisation()));
-  lines += fmt::format("               {}\n", utilisation("velocity", verification.velocity_utilisation()));
-  lines += fmt::format("               {}\n", utilisation("joint range", verification.range_utilisation()));
+  std::string lines;
+  if (is_judged(verification)) {
+    lines += fmt::format("  clearance    {}, {}\n", clearance_text(verification),
+                         verification.collision_free() ? "proven at every instant" : "NOT proven");
+    lines += fmt::format("  limits used  {}\n", utilisation("torque", verification.torque_utilisation()));
+    lines += fmt::format("               {}\n", utilisation("velocity", verification.velocity_utilisation()));
+    lines += fmt::format("               {}\n", utilisation("joint range", verification.range_utilisation()));
+  } else {
+    lines += "  not judged   clearance and limits: the trajectories are no motion\n";
+  }
   for (const Violation& violation : verification.violations()) {
-    lines += fmt::format("  BROKEN       {}\n", violation.explanation());
+    lines += fmt::format("  BROKEN       {}\n", demand(violation));
   }
   return lines;
 }

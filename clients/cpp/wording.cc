@@ -33,8 +33,8 @@ std::string claim_sentence(const Plan& plan) {
     case CLAIM_OPTIMAL_MONOTONE:
       return "No motion in which each arm only moves towards its goal, or waits, is faster.";
     default:
-      return fmt::format("A faster motion may exist; this one is at most {:.2f} % above the proven lower bound.",
-                         100.0 * certificate.gap());
+      return fmt::format("A faster motion may exist; this one is at most {} above the proven lower bound.",
+                         percent(certificate.gap()));
   }
 }
 
@@ -43,6 +43,11 @@ std::string seconds(double value) { return fmt::format("{:.6f} s", value); }
 std::string degrees(double radians) { return fmt::format("{:.2f} deg", to_degrees(radians)); }
 
 std::string clearance(double metres) { return std::isinf(metres) ? "unlimited" : fmt::format("{:.6f} m", metres); }
+
+std::string percent(double share) {
+  const double value = 100.0 * share;
+  return std::abs(value) < 1e6 ? fmt::format("{:.2f} %", value) : fmt::format("{:.2e} %", value);
+}
 
 double to_degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 

@@ -25,6 +25,9 @@ std::string degrees(double radians);
 /// "0.250000 m", or "unlimited" where no two bodies can meet.
 std::string clearance(double metres);
 
+/// "99.98 %" for a share of 0.9998; "1.23e+09 %" from a million per cent on, where digits before the point say nothing.
+std::string percent(double share);
+
 double to_degrees(double radians);
 
 }  // namespace dualarm

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,17 +62,18 @@ double least_value(const Function& function, double left, double right) {
 
 class Projection {
  public:
-  Projection(const ForbiddenSet& forbidden, const Profile& first, const Profile& second)
+  Projection(const ForbiddenSet& forbidden, const Profile& first, const Profile& second, const Budget& budget)
       : forbidden_(forbidden),
+        budget_(budget),
         first_(first),
         second_(second),
         window_{std::min(second.start(), second.goal()), std::max(second.start(), second.goal())},
         longest_(std::max(first.duration(), second.duration())),
         resolution_(kResolution * longest_) {}
 
-  IntervalSet run() {
+  std::optional<IntervalSet> run() {
     stand_still();
-    if (first_.direction() != 0) subdivide();
+    if (first_.direction() != 0 && !subdivide()) return std::nullopt;
     return polished();
   }
 
@@ -87,8 +89,8 @@ class Projection {
   }
 
   /// Halves the cells of arm 1's path until each forbids nothing that exact slices do not forbid, to the resolution.
-  /// Breadth first, so that wide slices spare the narrow cells.
-  void subdivide() {
+  /// Breadth first, so that wide slices spare the narrow cells. False if the budget ran out.
+  bool subdivide() {
     std::vector<Cell> cells;
     double from = first_.start();
     double from_time = 0.0;
@@ -101,13 +103,13 @@ class Projection {
     }
     while (!cells.empty()) {
       const IntervalSet known = joined(found_);
-      const IntervalSet nearly = widened(known);
       found_ = known.intervals();
       std::vector<Cell> halves;
       for (const Cell& cell : cells) {
+        if (budget_.exhausted()) return false;
         const std::vector<Interval> outer = delays_of(cell);
-        if (all_covered(outer, known)) continue;
-        if (all_covered(outer, nearly) || cell.to_time - cell.from_time < kShortestCell * longest_) {
+        if (all_covered(outer, known, 0.0)) continue;
+        if (all_covered(outer, known, resolution_) || cell.to_time - cell.from_time < kShortestCell * longest_) {
           leaves_.push_back(cell);
         } else {
           split(cell, halves);
@@ -115,6 +117,7 @@ class Projection {
       }
       cells = std::move(halves);
     }
+    return true;
   }
 
   void split(const Cell& cell, std::vector<Cell>& halves) {
@@ -127,8 +130,8 @@ class Projection {
     halves.push_back({middle, cell.to, middle_time, cell.to_time});
   }
 
-  static bool all_covered(const std::vector<Interval>& intervals, const IntervalSet& set) {
-    return std::all_of(intervals.begin(), intervals.end(), [&](const Interval& i) { return set.covers(i); });
+  static bool all_covered(const std::vector<Interval>& intervals, const IntervalSet& set, double tolerance) {
+    return std::all_of(intervals.begin(), intervals.end(), [&](const Interval& i) { return set.covers(i, tolerance); });
   }
 
   /// A superset of the delays that a cell forbids.
@@ -149,17 +152,11 @@ class Projection {
     return times;
   }
 
-  IntervalSet widened(const IntervalSet& set) const {
-    std::vector<Interval> intervals = set.intervals();
-    for (Interval& interval : intervals) interval = {interval.lower - resolution_, interval.upper + resolution_};
-    return IntervalSet(std::move(intervals));
-  }
-
-  /// The set with gaps below the resolution closed.
+  /// The set with its gaps closed that leaves on both sides, forbidden to the resolution, may fill.
   IntervalSet joined(std::vector<Interval> intervals) const {
-    for (Interval& interval : intervals) interval.upper += resolution_;
+    for (Interval& interval : intervals) interval.upper += 2.0 * resolution_;
     std::vector<Interval> result = IntervalSet(std::move(intervals)).intervals();
-    for (Interval& interval : result) interval.upper -= resolution_;
+    for (Interval& interval : result) interval.upper -= 2.0 * resolution_;
     return IntervalSet(std::move(result));
   }
 
@@ -207,6 +204,7 @@ class Projection {
   }
 
   const ForbiddenSet& forbidden_;
+  const Budget& budget_;
   const Profile& first_;
   const Profile& second_;
   Interval window_;
@@ -218,8 +216,9 @@ class Projection {
 
 }  // namespace
 
-IntervalSet forbidden_delays(const ForbiddenSet& forbidden, const Profile& first, const Profile& second) {
-  return Projection(forbidden, first, second).run();
+std::optional<IntervalSet> forbidden_delays(const ForbiddenSet& forbidden, const Profile& first, const Profile& second,
+                                            const Budget& budget) {
+  return Projection(forbidden, first, second, budget).run();
 }
 
 }  // namespace dualarm

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "core/coordination/forbidden_set.h"
@@ -25,28 +26,39 @@ using Edge = std::tuple<int, int, bool>;
 /// Marching squares over the joint rectangle, with a ring of free nodes around it so that contours close on its border.
 class Marching {
  public:
-  Marching(const Problem& problem, int resolution)
+  Marching(const Problem& problem, int resolution, const Budget& budget)
       : forbidden_(problem, problem.options.clearance),
         range1_(problem.arms[0].joint_range),
         range2_(problem.arms[1].joint_range),
         count_(resolution),
-        inside_(static_cast<std::size_t>(resolution) * resolution) {
-    for (int i = 0; i < count_; ++i) {
-      const IntervalSet slice = forbidden_.slice(node(i, 0).theta1, range2_);
-      for (int j = 0; j < count_; ++j) inside_[index(i, j)] = slice.contains(node(i, j).theta2);
-    }
-  }
+        inside_(static_cast<std::size_t>(resolution) * resolution),
+        budget_(budget) {}
 
-  std::vector<Contour> run() {
+  std::optional<std::vector<Contour>> run() {
+    if (!mark_nodes()) return std::nullopt;
     for (int i = -1; i < count_; ++i) {
       for (int j = -1; j < count_; ++j) connect_cell(i, j);
     }
     std::vector<Contour> contours;
-    while (!next_.empty()) contours.push_back(pull_contour());
+    while (!next_.empty()) {
+      std::optional<Contour> contour = pull_contour();
+      if (!contour) return std::nullopt;
+      contours.push_back(*std::move(contour));
+    }
     return contours;
   }
 
  private:
+  /// False if the budget ran out.
+  bool mark_nodes() {
+    for (int i = 0; i < count_; ++i) {
+      if (budget_.exhausted()) return false;
+      const IntervalSet slice = forbidden_.slice(node(i, 0).theta1, range2_);
+      for (int j = 0; j < count_; ++j) inside_[index(i, j)] = slice.contains(node(i, j).theta2);
+    }
+    return true;
+  }
+
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(i) * count_ + j; }
 
   bool inside(int i, int j) const { return i >= 0 && j >= 0 && i < count_ && j < count_ && inside_[index(i, j)]; }
@@ -72,9 +84,10 @@ class Marching {
     }
   }
 
-  Contour pull_contour() {
+  std::optional<Contour> pull_contour() {
     Contour contour;
     for (auto step = next_.begin(); step != next_.end();) {
+      if (budget_.exhausted()) return std::nullopt;
       const Point point = crossing_of(step->first);
       contour.theta1.push_back(point.theta1);
       contour.theta2.push_back(point.theta2);
@@ -104,13 +117,14 @@ class Marching {
   Interval range2_;
   int count_;
   std::vector<char> inside_;
+  const Budget& budget_;
   std::map<Edge, Edge> next_;
 };
 
 }  // namespace
 
-std::vector<Contour> forbidden_region(const Problem& problem, int resolution) {
-  return Marching(problem, resolution).run();
+std::optional<std::vector<Contour>> forbidden_region(const Problem& problem, int resolution, const Budget& budget) {
+  return Marching(problem, resolution, budget).run();
 }
 
 }  // namespace dualarm

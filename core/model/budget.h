@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <utility>
@@ -22,8 +23,11 @@ class Budget {
   bool exhausted() const { return cancelled() || (deadline_ != Clock::time_point::max() && Clock::now() >= deadline_); }
   Clock::time_point deadline() const { return deadline_; }
 
-  /// For a short last step that is worth doing after the deadline, as long as the caller still wants the answer.
-  Budget without_deadline() const { return Budget(Clock::time_point::max(), cancelled_); }
+  /// For a short last step that is worth doing, as long as the caller still wants the answer: at least until `grace`
+  /// from now.
+  Budget with_grace(Clock::duration grace) const {
+    return Budget(std::max(deadline_, Clock::now() + grace), cancelled_);
+  }
 
  private:
   Clock::time_point deadline_ = Clock::time_point::max();

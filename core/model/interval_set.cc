@@ -26,9 +26,15 @@ bool IntervalSet::contains_inside(double value) const {
                      [&](const Interval& i) { return i.lower < value && value < i.upper; });
 }
 
-bool IntervalSet::covers(Interval interval) const {
-  return std::any_of(intervals_.begin(), intervals_.end(),
-                     [&](const Interval& i) { return i.lower <= interval.lower && interval.upper <= i.upper; });
+bool IntervalSet::covers(Interval interval, double tolerance) const {
+  // Of the intervals that begin early enough, the last two can cover it: the last may begin within the tolerance only.
+  auto after = std::upper_bound(intervals_.begin(), intervals_.end(), interval.lower + tolerance,
+                                [](double value, const Interval& i) { return value < i.lower; });
+  for (int i = 0; i < 2 && after != intervals_.begin(); ++i) {
+    --after;
+    if (interval.upper <= after->upper + tolerance) return true;
+  }
+  return false;
 }
 
 IntervalSet IntervalSet::complement(Interval within) const {

@@ -24,8 +24,8 @@ class IntervalSet {
   /// True if the value lies inside an interval and not on its ends.
   bool contains_inside(double value) const;
 
-  /// True if one interval of the set covers the whole of `interval`.
-  bool covers(Interval interval) const;
+  /// True if one interval of the set covers the whole of `interval`, each end to a tolerance >= 0.
+  bool covers(Interval interval, double tolerance = 0.0) const;
 
   /// Closures of the gaps: the points of `within` that lie in no interval's interior.
   IntervalSet complement(Interval within) const;

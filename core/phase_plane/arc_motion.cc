@@ -13,10 +13,13 @@ namespace {
 constexpr double kQuadratureTolerance = 1e-13;
 /// Subdivisions allowed for motions that nearly stall on the way.
 constexpr unsigned kQuadratureDepth = 15;
-/// By how much, relative to the arc, an integration may miss the arc's end before its steps are halved, and how often:
-/// motions that nearly stall magnify rounding, and no step is short enough for them.
+/// By how much, relative to the arc, an integration may miss the arc's end before its steps are halved, and into how
+/// many: motions that nearly stall magnify rounding, no step is short enough for them, and each state is sought alone.
 constexpr double kEndTolerance = 1e-11;
-constexpr int kMostParts = 16;
+constexpr int kMostParts = 4;
+/// Part of a position below which an arc counts as this long: there the end tolerance is a few roundings of the
+/// position.
+constexpr double kShortestTravel = 1e-4;
 
 }  // namespace
 
@@ -97,6 +100,11 @@ std::vector<JointState> ArcMotion::states(int count) const {
     // The end is known in closed form: an integration that misses it was too coarse.
     double miss = integrate(states, step, 1);
     for (int parts = 2; miss > kEndTolerance && parts <= kMostParts; parts *= 2) miss = integrate(states, step, parts);
+    if (miss > kEndTolerance) {
+      for (int i = 1; i < count; ++i) states[i] = at(arc_.start_time + step * i);
+    } else {
+      spread_miss(states);
+    }
   }
   states.back() = arc_.end;
   return states;
@@ -115,9 +123,21 @@ double ArcMotion::integrate(std::vector<JointState>& states, double step, int pa
     for (int part = 0; part < parts; ++part) stepper.do_step(rate_of, state, 0.0, step / parts);
     states[i] = {state[0], state[1]};
   }
-  const double travel = std::abs(arc_.end.position - arc_.start.position);
+  // Positions are no better than their own rounding.
+  const double travel = std::abs(arc_.end.position - arc_.start.position) + kShortestTravel * std::abs(state[0]);
   const double speed = std::max(std::abs(arc_.start.velocity), std::abs(arc_.end.velocity));
   return std::max(std::abs(state[0] - arc_.end.position) / travel, std::abs(state[1] - arc_.end.velocity) / speed);
+}
+
+/// What the integration misses the end by, taken from all states in equal shares: in one step it would show as torque.
+void ArcMotion::spread_miss(std::vector<JointState>& states) const {
+  const double position_miss = arc_.end.position - states.back().position;
+  const double velocity_miss = arc_.end.velocity - states.back().velocity;
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(states.size() - 1);
+    states[i].position += share * position_miss;
+    states[i].velocity += share * velocity_miss;
+  }
 }
 
 }  // namespace dualarm

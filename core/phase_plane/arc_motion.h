@@ -33,6 +33,7 @@ class ArcMotion {
   double time_from_anchor(double root) const;
   double speed_squared(double change) const;
   double integrate(std::vector<JointState>& states, double step, int parts) const;
+  void spread_miss(std::vector<JointState>& states) const;
 
   const System& system_;
   const Arc& arc_;

@@ -53,7 +53,8 @@ class BackwardWalk {
     Stretch stretch = {ArcKind::kCruise, 0.0, x_, x_, limit_};
     const std::vector<double> cuts = path_.monotone_pieces(ArcKind::kBrake, 0.0, x_);
     for (std::size_t i = cuts.size() - 1; i > 0; --i) {
-      if (path_.acceleration(ArcKind::kBrake, 0.5 * (cuts[i - 1] + cuts[i])) > 0.0) {
+      if (path_.acceleration(ArcKind::kBrake, 0.5 * (cuts[i - 1] + cuts[i])) > 0.0 &&
+          path_.work_shows(ArcKind::kBrake, cuts[i], cuts[i - 1] - cuts[i], limit_)) {
         stretch.from = cuts[i];
         break;
       }

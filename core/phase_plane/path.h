@@ -38,6 +38,12 @@ class Path {
     return system_.specific_work(extreme(kind), position(x), direction_ * change);
   }
 
+  /// Whether driving or braking from x to x + change gains or loses energy that shows beside `energy`. Between two
+  /// close zeros of an acceleration it need not, and then the arc is the velocity limit to rounding.
+  bool work_shows(ArcKind kind, double x, double change, double energy) const {
+    return std::abs(work(kind, x, change)) > 1e-12 * energy;
+  }
+
   /// Energy at the velocity limit; may be infinite.
   double energy_limit() const {
     const double limit = direction_ > 0.0 ? system_.velocity().upper : system_.velocity().lower;

@@ -55,7 +55,8 @@ class ForwardWalk {
     if (above.kind == ArcKind::kCruise) {
       const std::vector<double> cuts = path_.monotone_pieces(ArcKind::kAccelerate, x, above.to);
       for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-        if (path_.acceleration(ArcKind::kAccelerate, 0.5 * (cuts[i] + cuts[i + 1])) < 0.0) {
+        if (path_.acceleration(ArcKind::kAccelerate, 0.5 * (cuts[i] + cuts[i + 1])) < 0.0 &&
+            path_.work_shows(ArcKind::kAccelerate, cuts[i], cuts[i + 1] - cuts[i], above.anchor_energy)) {
           end = cuts[i];
           driving_ = Stretch{ArcKind::kAccelerate, end, end, end, above.anchor_energy};
           break;

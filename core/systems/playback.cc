@@ -11,8 +11,7 @@ namespace {
 constexpr double kInterpolationError = 1e-9;
 /// Rounding of positions (rad) as it shows in the quintic's acceleration, times the square of the spacing.
 constexpr double kPositionRounding = 1e-14;
-/// Fewest intervals of an arc, and up to which number they may double.
-constexpr int kFewestIntervals = 4;
+/// Number of intervals of an arc up to which it may double.
 constexpr int kMostIntervals = 16384;
 
 /// Acceleration and position of the quintic in the middle between two knots.
@@ -76,7 +75,7 @@ class Player {
 
  private:
   std::vector<Knot> knots_along(const Profile& profile, const Arc& arc, const Arc& placed) const {
-    int count = std::max(kFewestIntervals, static_cast<int>(std::ceil((arc.end_time - arc.start_time) / knot_period_)));
+    int count = std::max(1, static_cast<int>(std::ceil((arc.end_time - arc.start_time) / knot_period_)));
     std::vector<Knot> knots = knots_along(profile, arc, placed, count);
     while (2 * count <= kMostIntervals && !faithful(profile, arc, knots)) {
       count *= 2;

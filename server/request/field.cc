@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 namespace dualarm {
@@ -42,7 +41,7 @@ void Field::complain_not_served(std::string_view name, std::string_view instead)
 }
 
 double Field::number(std::string_view name, double value, const Range& range) const {
-  if (std::isnan(value) || value < range.min || value > range.max) {
+  if (!range.contains(value)) {
     complain(name, fmt::format("is {}, must be {}", value, described(range)));
   }
   return value;

@@ -10,6 +10,8 @@ struct Range {
   double min;
   double max;
   std::string_view unit;
+
+  constexpr bool contains(double value) const { return value >= min && value <= max; }  // NaN never is
 };
 
 /// The ranges of proto/dualarm/planning/v1, in one place. They are far wider than any robot: their work is to keep
@@ -33,7 +35,7 @@ inline constexpr Range kMinVelocity = {-kInfinity, -1e-9, "rad/s"};
 inline constexpr Range kMaxVelocity = {1e-9, kInfinity, "rad/s"};
 inline constexpr Range kVelocity = {-1e6, 1e6, "rad/s"};
 inline constexpr Range kAccelerationScale = {1e-9, 1e9, "rad/s^2"};
-inline constexpr Range kKnotPeriod = {1e-4, 10.0, "s"};
+inline constexpr Range kKnotPeriod = {1e-3, 10.0, "s"};
 inline constexpr Range kStartDelay = {0.0, 1e6, "s"};
 inline constexpr Range kTime = {-1e6, 1e6, "s"};
 inline constexpr Range kResolution = {2.0, 2000.0, "points"};

@@ -39,6 +39,8 @@ bool has_names(const std::array<Arm, kArmCount>& arms) {
 }
 
 std::string names_of(const std::array<Arm, kArmCount>& arms) {
+  if (arms[1].name.empty() || arms[1].name == arms[0].name) return quoted(arms[0].name);
+  if (arms[0].name.empty()) return quoted(arms[1].name);
   return fmt::format("{} or {}", quoted(arms[0].name), quoted(arms[1].name));
 }
 

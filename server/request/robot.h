@@ -18,7 +18,7 @@ int index_of(const std::array<Arm, kArmCount>& arms, std::string_view name);
 /// False if the robot is missing or nameless: then nothing can be said about the names that refer to its arms.
 bool has_names(const std::array<Arm, kArmCount>& arms);
 
-/// "'left' or 'right'", for remedies.
+/// "'left' or 'right'", for remedies: names that are there, each once. Needs has_names().
 std::string names_of(const std::array<Arm, kArmCount>& arms);
 
 }  // namespace dualarm

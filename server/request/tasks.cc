@@ -10,7 +10,7 @@ namespace {
 JointState read_state(const wire::JointState& message, const Field& field) {
   const JointState state = {field.number("position_rad", message.position_rad(), ranges::kAngle),
                             field.number("velocity_rad_per_s", message.velocity_rad_per_s(), ranges::kVelocity)};
-  if (state.velocity != 0.0) {
+  if (state.velocity != 0.0 && ranges::kVelocity.contains(state.velocity)) {
     field.complain_not_served("velocity_rad_per_s", "start and end at rest, with 0");
   }
   return state;

@@ -152,6 +152,27 @@ TEST(Planner, PlansFromStartsThatHardlyKeepTheClearance) {
   }
 }
 
+TEST(Planner, PlaysTinyMovesAndDenseKnotsWithinTheTorqueLimits) {
+  for (const double move : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
+    for (const double from : {30.0, 120.0}) {
+      Problem problem = paper_problem({from, 150}, {from, 150}, 0.05);
+      problem.tasks[0].goal.position += move;
+      must_plan(problem);
+    }
+  }
+  Problem dense = paper_problem({20, 70}, {60, 20}, 0.05);
+  dense.options.knot_period = 1e-3;
+  must_plan(dense);
+  // A tower crane: much inertia, many knots.
+  for (Arm& arm : dense.arms) {
+    arm.inertia = 1.6e7;
+    arm.gravity.amplitude = 0.0;
+    arm.torque = {-1.2e5, 1.2e5};
+    arm.velocity = {-0.0733, 0.0733};
+  }
+  must_plan(dense);
+}
+
 TEST(Planner, CoversEveryPairOfDirectionsAndTheirMirrorImages) {
   // Cases 1, 2 and 3 of the paper as theory.md, section 3 reads them, arms that stay, and all with the arms exchanged.
   const std::array<std::array<double, 2>, 2> moves[] = {

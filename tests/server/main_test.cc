@@ -121,6 +121,26 @@ TEST(Server, FinishesARunningSearchWhileItDrains) {
   EXPECT_LT(process.log().find("draining"), process.log().find("PlanMotion OK")) << process.log();
 }
 
+TEST(Server, LogsCallsThatItDoesNotServeAndRegionsThatTakeTooLong) {
+  ServerProcess process({"--planning-budget", "0.001"});
+  const std::string address = process.wait_for_address();
+  ASSERT_NE(address, "") << process.log();
+  const auto stub = wire::PlanningService::NewStub(channel_to(address));
+  grpc::ClientContext portrait_context;
+  wire::GetPhasePortraitResponse portrait;
+  EXPECT_EQ(stub->GetPhasePortrait(&portrait_context, {}, &portrait).error_code(), grpc::StatusCode::UNIMPLEMENTED);
+  EXPECT_THAT(process.log(), HasSubstr("GetPhasePortrait UNIMPLEMENTED"));
+
+  wire::GetForbiddenRegionRequest request;
+  *request.mutable_robot() = paper_request().robot();
+  request.set_resolution(2000);
+  grpc::ClientContext region_context;
+  wire::GetForbiddenRegionResponse region;
+  EXPECT_EQ(stub->GetForbiddenRegion(&region_context, request, &region).error_code(),
+            grpc::StatusCode::DEADLINE_EXCEEDED);
+  EXPECT_THAT(process.log(), HasSubstr("GetForbiddenRegion DEADLINE_EXCEEDED"));
+}
+
 TEST(Server, RefusesAPortThatIsTaken) {
   ServerProcess first;
   const std::string address = first.wait_for_address();
@@ -134,6 +154,9 @@ TEST(Server, RefusesAPortThatIsTaken) {
 TEST(Server, ExitsWithTwoOnWrongUsageAndTellsItsVersion) {
   ServerProcess wrong({"--no-such-flag"});
   EXPECT_EQ(wrong.wait_for_exit(), 2);
+  ServerProcess nowhere({"--listen", "nonsense"});
+  EXPECT_EQ(nowhere.wait_for_exit(), 2);
+  EXPECT_THAT(nowhere.log(), HasSubstr("give HOST:PORT with a port of 0 to 65535"));
   ServerProcess version({"--version"});
   EXPECT_EQ(version.wait_for_exit(), 0);
   EXPECT_THAT(version.log(), HasSubstr("dualarm-server " DUALARM_VERSION));

@@ -47,6 +47,7 @@ TEST(ReadOptions, RefusesWhatMakesNoSense) {
                                                                      {"--max-message-mib", "four"},
                                                                      {"--planning-budget", "-1"},
                                                                      {"--log-level", "loud"},
+                                                                     {"--listen", "127.0.0.1:99999"},
                                                                      {"--port", "1"}}) {
     SCOPED_TRACE(arguments[0]);
     const auto result = read(arguments);

@@ -90,6 +90,13 @@ TEST(PlanningServer, ASecondServerOnTheAddressIsRefused) {
   EXPECT_EQ(health_of(on_socket.channel(), ""), 1);
 }
 
+TEST(PlanningServer, RefusesWhatIsNoAddressAndSaysWhatOneIs) {
+  for (const char* address : {"127.0.0.1:99999", "127.0.0.1:65536", "127.0.0.1:-1", "127.0.0.1:http", "127.0.0.1:1x",
+                              "127.0.0.1:", "127.0.0.1", ":50051", "::1:50051", "nonsense", "unix:", ""}) {
+    EXPECT_THAT(why_not(address), HasSubstr("give HOST:PORT with a port of 0 to 65535")) << address;
+  }
+}
+
 TEST(PlanningServer, SpeaksPlaintextToOtherMachinesOnlyWhenTold) {
   EXPECT_THAT(why_not("0.0.0.0:0"), HasSubstr("--allow-insecure-remote"));
   EXPECT_THAT(why_not("[::]:0"), HasSubstr("--allow-insecure-remote"));

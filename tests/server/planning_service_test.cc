@@ -128,6 +128,49 @@ TEST(PlanningService, DrawsTheForbiddenRegion) {
   EXPECT_EQ(response.theta2_range().max_rad(), paper_request().robot().arms(1).base().heading_rad());
 }
 
+TEST(PlanningService, TheForbiddenRegionEndsWithTheServersCap) {
+  PlanningFunctions functions = quick_functions();
+  functions.forbidden_region = [](const Problem&, int, const Budget& budget) -> std::optional<std::vector<Contour>> {
+    while (!budget.exhausted()) std::this_thread::yield();
+    return std::nullopt;
+  };
+  ServerOptions options = patient_options();
+  options.planning_budget = 0.05;
+  const TestServer server(functions, options);
+  wire::GetForbiddenRegionRequest request;
+  *request.mutable_robot() = paper_request().robot();
+  grpc::ClientContext context;
+  wire::GetForbiddenRegionResponse response;
+  const grpc::Status status = server.stub()->GetForbiddenRegion(&context, request, &response);
+  EXPECT_EQ(status.error_code(), Code::DEADLINE_EXCEEDED);
+  EXPECT_THAT(status.error_message(), HasSubstr("a lower resolution or fewer objects"));
+  EXPECT_EQ(detail_of<google::rpc::ErrorInfo>(status).reason(), "OUT_OF_TIME");
+}
+
+TEST(PlanningService, ACallerWhoCancelsStopsTheForbiddenRegion) {
+  std::promise<void> begun;
+  std::promise<bool> cancelled;
+  PlanningFunctions functions = quick_functions();
+  functions.forbidden_region = [&](const Problem&, int, const Budget& budget) {
+    begun.set_value();
+    while (!budget.exhausted()) std::this_thread::yield();
+    cancelled.set_value(budget.cancelled());
+    return std::optional<std::vector<Contour>>();
+  };
+  const TestServer server(functions, patient_options());
+  wire::GetForbiddenRegionRequest request;
+  *request.mutable_robot() = paper_request().robot();
+  grpc::ClientContext context;
+  std::future<grpc::Status> status = std::async(std::launch::async, [&] {
+    wire::GetForbiddenRegionResponse response;
+    return server.stub()->GetForbiddenRegion(&context, request, &response);
+  });
+  begun.get_future().wait();
+  context.TryCancel();
+  EXPECT_EQ(status.get().error_code(), Code::CANCELLED);
+  EXPECT_TRUE(cancelled.get_future().get());
+}
+
 TEST(PlanningService, SaysWhatIsNotServedAndWhatIs) {
   const TestServer server;
   grpc::ClientContext portrait_context;

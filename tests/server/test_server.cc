@@ -29,7 +29,7 @@ PlanningFunctions quick_functions() {
             verification.collision_free = true;
             return verification;
           },
-          [](const Problem&, int) {
+          [](const Problem&, int, const Budget&) {
             return std::vector<Contour>{{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
           }};
 }

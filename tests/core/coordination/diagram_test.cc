@@ -75,7 +75,8 @@ TEST(ForbiddenDelays, OfThePapersArmsEndAtTheWorkedDelays) {
   for (const auto& [start1, start2, goal1, goal2, seconds] : rows) {
     const Problem problem = paper_problem({start1, start2}, {goal1, goal2}, 1e-9);
     const Pair pair(problem);
-    const IntervalSet delays = forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1]);
+    const IntervalSet delays =
+        *forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1], Budget());
     const auto times = best_start_times(delays.complement({-kInfinity, kInfinity}), pair.profiles[0].duration(),
                                         pair.profiles[1].duration(), kInfinity);
     ASSERT_TRUE(times);
@@ -86,14 +87,16 @@ TEST(ForbiddenDelays, OfThePapersArmsEndAtTheWorkedDelays) {
 TEST(ForbiddenDelays, AreAllOfThemForTheRetreat) {
   const Problem problem = paper_problem({10, 40}, {40, 10}, 1e-9);
   const Pair pair(problem);
-  const IntervalSet delays = forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1]);
+  const IntervalSet delays =
+      *forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1], Budget());
   EXPECT_TRUE(delays.covers({-kInfinity, kInfinity}));
 }
 
 TEST(ForbiddenDelays, OfAnArmThatStandsInTheWayAreAllOfThem) {
   const Problem problem = paper_problem({20, 70}, {20, 5}, 0.05);
   const Pair pair(problem);
-  const IntervalSet delays = forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1]);
+  const IntervalSet delays =
+      *forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1], Budget());
   EXPECT_TRUE(delays.covers({-kInfinity, kInfinity}));
 }
 
@@ -101,7 +104,8 @@ TEST(ForbiddenDelays, AreNoneForArmsOutOfEachOthersReach) {
   Problem problem = paper_problem({20, 70}, {60, 20}, 0.05);
   problem.arms[1].base.position.x() = 13.0;
   const Pair pair(problem);
-  EXPECT_TRUE(forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1]).empty());
+  EXPECT_TRUE(
+      forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1], Budget()).value().empty());
 }
 
 TEST(ForbiddenDelays, EqualABruteForceScanOnRandomScenes) {
@@ -112,7 +116,8 @@ TEST(ForbiddenDelays, EqualABruteForceScanOnRandomScenes) {
     const Pair pair(problem);
     if (pair.profiles.size() != 2) continue;
     const double clearance = problem.options.clearance;
-    const IntervalSet delays = forbidden_delays(ForbiddenSet(problem, clearance), pair.profiles[0], pair.profiles[1]);
+    const IntervalSet delays =
+        *forbidden_delays(ForbiddenSet(problem, clearance), pair.profiles[0], pair.profiles[1], Budget());
     if (delays.empty() || delays.covers({-kInfinity, kInfinity})) continue;
     ++constrained;
     const BruteForce brute(problem, clearance, pair);
@@ -142,6 +147,39 @@ TEST(ForbiddenDelays, EqualABruteForceScanOnRandomScenes) {
   }
 }
 
+TEST(ForbiddenDelays, LeaveNoHolesWhereOneArmIsMuchSlower) {
+  // A slow arm's slices are short in time: neighbouring ones forbid delays that hardly overlap.
+  for (int scene = 0; scene < 400; ++scene) {
+    Problem problem = random_problem(scene);
+    const int slow = scene % 2;
+    problem.arms[slow].velocity = {-0.05 * (1 + scene % 7), 0.05 * (1 + scene % 7)};
+    const Pair pair(problem);
+    if (pair.profiles.size() != 2) continue;
+    const ForbiddenSet forbidden(problem, problem.options.clearance);
+    const IntervalSet safe = forbidden_delays(forbidden, pair.profiles[0], pair.profiles[1], Budget())
+                                 .value()
+                                 .complement({-kInfinity, kInfinity});
+    const double longest = std::max(pair.profiles[0].duration(), pair.profiles[1].duration());
+    for (const Interval& interval : safe.intervals()) {
+      if (!std::isfinite(interval.lower) || !std::isfinite(interval.upper)) continue;
+      EXPECT_GT(interval.length(), 1e-4 * longest);
+      const double delay = 0.5 * (interval.lower + interval.upper);
+      for (int i = 0; i <= 4000; ++i) {
+        const double time = -longest + 3.0 * longest * i / 4000.0;
+        ASSERT_FALSE(forbidden.contains(pair.profiles[0].at(time).position, pair.profiles[1].at(time - delay).position))
+            << "scene " << scene << " delay " << delay;
+      }
+    }
+  }
+}
+
+TEST(ForbiddenDelays, AreNotGivenOnceTheBudgetIsGone) {
+  const Problem problem = paper_problem({20, 70}, {60, 20}, 0.05);
+  const Pair pair(problem);
+  const Budget gone(Budget::Clock::now() - std::chrono::seconds(1));
+  EXPECT_FALSE(forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1], gone));
+}
+
 TEST(ForbiddenDelays, HaveEndsAtWhichTheMotionsTouchExactly) {
   // Just outside an end the motions keep the clearance, just inside they break it: sought by the finest scan near the
   // touch instead of by projection.
@@ -152,7 +190,8 @@ TEST(ForbiddenDelays, HaveEndsAtWhichTheMotionsTouchExactly) {
     const Pair pair(problem);
     if (pair.profiles.size() != 2) continue;
     const ForbiddenSet forbidden(problem, problem.options.clearance);
-    for (const Interval& interval : forbidden_delays(forbidden, pair.profiles[0], pair.profiles[1]).intervals()) {
+    for (const Interval& interval :
+         forbidden_delays(forbidden, pair.profiles[0], pair.profiles[1], Budget()).value().intervals()) {
       for (const double end : {interval.lower, interval.upper}) {
         if (!std::isfinite(end)) continue;
         ++ends;

@@ -10,6 +10,10 @@
 namespace dualarm {
 namespace {
 
+std::vector<Contour> region(const Problem& problem, int resolution) {
+  return forbidden_region(problem, resolution, Budget()).value();
+}
+
 bool filled(const std::vector<Contour>& contours, double theta1, double theta2) {
   bool inside = false;
   for (const Contour& contour : contours) {
@@ -23,12 +27,12 @@ bool filled(const std::vector<Contour>& contours, double theta1, double theta2) 
 }
 
 TEST(ForbiddenRegion, IsOneLensForThePapersArms) {
-  EXPECT_EQ(forbidden_region(paper_problem({30, 60}, {60, 30}, 0.1), 181).size(), 1U);
+  EXPECT_EQ(region(paper_problem({30, 60}, {60, 30}, 0.1), 181).size(), 1U);
 }
 
 TEST(ForbiddenRegion, FilledByTheEvenOddRuleIsTheSet) {
   const Problem problem = paper_problem({30, 60}, {60, 30}, 0.2);
-  const std::vector<Contour> contours = forbidden_region(problem, 181);
+  const std::vector<Contour> contours = region(problem, 181);
   const ForbiddenSet forbidden(problem, problem.options.clearance);
   int wrong = 0;
   int inside = 0;
@@ -45,7 +49,7 @@ TEST(ForbiddenRegion, FilledByTheEvenOddRuleIsTheSet) {
 TEST(ForbiddenRegion, HasItsVerticesOnTheBoundary) {
   const Problem problem = paper_problem({30, 60}, {60, 30}, 0.2);
   const ForbiddenSet forbidden(problem, problem.options.clearance);
-  for (const Contour& contour : forbidden_region(problem, 91)) {
+  for (const Contour& contour : region(problem, 91)) {
     for (std::size_t i = 0; i < contour.theta1.size(); ++i) {
       const double theta1 = contour.theta1[i];
       const double theta2 = contour.theta2[i];
@@ -62,7 +66,23 @@ TEST(ForbiddenRegion, HasItsVerticesOnTheBoundary) {
 TEST(ForbiddenRegion, IsEmptyForArmsThatCannotReachEachOther) {
   Problem problem = paper_problem({30, 60}, {60, 30}, 0.1);
   problem.arms[1].base.position.x() = 13.0;
-  EXPECT_TRUE(forbidden_region(problem, 61).empty());
+  EXPECT_TRUE(region(problem, 61).empty());
+}
+
+TEST(ForbiddenRegion, IsNothingWhereverTheBudgetEnds) {
+  const Problem problem = paper_problem({30, 60}, {60, 30}, 0.1);
+  int needed = 0;
+  const auto counting = [&needed] { return ++needed < 0; };
+  const auto forever = Budget::Clock::time_point::max();
+  const auto whole = forbidden_region(problem, 31, Budget(forever, counting));
+  ASSERT_TRUE(whole);
+  const int vertices = static_cast<int>(whole->front().theta1.size());
+  EXPECT_GE(needed, 31 + vertices);  // one poll a column and one a vertex
+  for (const int polls : {0, 15, 31, 31 + vertices / 2, needed - 1}) {
+    int left = polls;
+    EXPECT_FALSE(forbidden_region(problem, 31, Budget(forever, [&left] { return left-- <= 0; }))) << polls;
+  }
+  EXPECT_FALSE(forbidden_region(problem, 31, Budget(Budget::Clock::now())));
 }
 
 }  // namespace

@@ -30,6 +30,14 @@ TEST(IntervalSet, CoversOnlyWhatOneIntervalCovers) {
   EXPECT_FALSE(set.covers({0.5, 2.5}));
 }
 
+TEST(IntervalSet, CoversEachEndToATolerance) {
+  const IntervalSet set({{0, 1}, {1.05, 3}});
+  EXPECT_TRUE(set.covers({-0.1, 1.04}, 0.1));
+  EXPECT_FALSE(set.covers({-0.2, 0.5}, 0.1));
+  EXPECT_FALSE(set.covers({0.5, 2.0}, 0.1));  // two intervals, each a part of it
+  EXPECT_TRUE(set.covers({1.0, 3.05}, 0.1));
+}
+
 TEST(IntervalSet, ComplementKeepsTheEndsAsSafe) {
   const IntervalSet gaps = IntervalSet({{-kInfinity, 0}, {1, 2}}).complement({-kInfinity, kInfinity});
   EXPECT_EQ(gaps.intervals(), (Intervals{{0, 1}, {2, kInfinity}}));

@@ -73,6 +73,20 @@ INSTANTIATE_TEST_SUITE_P(RisingAndFalling, ProfileTest,
                          testing::Values(std::pair{0.2, 1.5}, std::pair{1.5, 0.2}, std::pair{-2.0, 2.5},
                                          std::pair{0.5, 0.5001}));
 
+TEST(Profile, FollowsTheExactMotionWhereItNearlyStalls) {
+  // A little above the least torque that gets past (0.72461 G): an integration forwards in time loses the motion.
+  const SingleJointArm system(pendulum(1.0, 1.0, 0.724611353776708 * (1.0 + 1e-7)));
+  const Profile profile = std::get<FastestMotion>(fastest_motion(system, 0.0, 3.14159)).profile;
+  for (const Arc& arc : profile.arcs()) {
+    const std::vector<JointState> states = profile.states_along(arc, 200);
+    for (int i = 0; i < 200; ++i) {
+      EXPECT_GE(states[i + 1].position, states[i].position);
+      EXPECT_NEAR(profile.time_at(states[i].position), arc.start_time + (arc.end_time - arc.start_time) * i / 200.0,
+                  1e-6);
+    }
+  }
+}
+
 TEST(Profile, ThatStandsStillIsAlwaysWhereItIs) {
   const SingleJointArm system(pendulum(1.0, 1.0, 2.0));
   const Profile still(system, 0.3);

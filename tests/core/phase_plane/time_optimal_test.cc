@@ -182,6 +182,24 @@ TEST(FastestMotion, StandsStillWhereStartIsGoal) {
   EXPECT_EQ(motion.profile.direction(), 0);
 }
 
+TEST(FastestMotion, EndsWhereTheDriveIsWeakerThanGravityByARounding) {
+  // Between two zeros of the acceleration that nearly coincide, neither leaving the velocity limit nor staying on it
+  // makes a difference that shows.
+  for (const double shortfall : {1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6}) {
+    Arm arm = pendulum(39.0, 29.43, 29.43 * (1.0 - shortfall));
+    arm.velocity = {-0.3, 0.3};
+    const SingleJointArm system(arm);
+    for (const auto& [start, goal] : {std::pair{0.35, 2.8}, {2.8, 0.35}, {-0.35, -2.8}, {-2.8, -0.35}}) {
+      const Profile profile = must_move(system, start, goal).profile;
+      EXPECT_NEAR(profile.duration(), 9.0, 3.0) << shortfall << " " << start;
+    }
+  }
+  // 0.02 kg on 6.4 m: the decimal of m g l / 2 is a last bit below what the drive has to hold.
+  Arm arm = pendulum(3.8192, 0.5 * 0.02 * 9.81 * 6.4, 0.62784);
+  arm.velocity = {-0.3, 0.3};
+  must_move(SingleJointArm(arm), 0.35, 2.8);
+}
+
 /// One bang-bang problem in time, in long double: accelerate for t1, (cruise,) brake for t2. Shares nothing with the
 /// phase plane: it integrates both arcs in time and solves for the times at which they meet.
 class TimeDomainSolution {

@@ -21,6 +21,8 @@ TEST(ReadTasks, NamesEachViolationWithItsFieldPathAndRemedy) {
        "tasks[1].goal.position_rad", "is inf"},
       {"moving start", [](auto& r) { r.mutable_tasks(1)->mutable_start()->set_velocity_rad_per_s(0.5); },
        "tasks[1].start.velocity_rad_per_s", "is not served by this version"},
+      {"start velocity NaN", [](auto& r) { r.mutable_tasks(1)->mutable_start()->set_velocity_rad_per_s(kNan); },
+       "tasks[1].start.velocity_rad_per_s", "is nan"},
       {"many",
        [](auto& r) {
          for (int i = 0; i < 20; ++i) r.add_tasks();
@@ -38,6 +40,26 @@ TEST(ReadTasks, AWrongArmLeavesTheOtherWithoutATask) {
   EXPECT_EQ(found[0].field, "tasks[0].arm");
   EXPECT_EQ(found[0].description, "is 'Left', must be 'left' or 'right'");
   EXPECT_EQ(found[1].field, "tasks");
+}
+
+TEST(ReadTasks, ProposesNamesThatAreThereAndEachOnce) {
+  wire::PlanMotionRequest request = paper_request();
+  request.mutable_tasks(0)->set_arm("nobody");
+  wire::PlanMotionRequest equal = request;
+  equal.mutable_robot()->mutable_arms(1)->set_name("left");
+  wire::PlanMotionRequest first_nameless = request;
+  first_nameless.mutable_robot()->mutable_arms(0)->clear_name();
+  wire::PlanMotionRequest alone = request;
+  alone.mutable_robot()->mutable_arms()->RemoveLast();
+  const auto remedy = [](const wire::PlanMotionRequest& wrong) {
+    for (const FieldViolation& violation : violations_of(wrong)) {
+      if (violation.field == "tasks[0].arm") return violation.description;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(remedy(equal), "is 'nobody', must be 'left'");
+  EXPECT_EQ(remedy(first_nameless), "is 'nobody', must be 'right'");
+  EXPECT_EQ(remedy(alone), "is 'nobody', must be 'left'");
 }
 
 TEST(ReadTasks, OrdersTasksAsTheArms) {
