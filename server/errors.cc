@@ -82,6 +82,12 @@ grpc::Status invalid_argument(const Violations& violations) {
                 info);
 }
 
+grpc::Status malformed_request(std::string_view type) {
+  const std::string message = fmt::format(
+      "the request is not a {} in protobuf's binary encoding: build it from the proto files of this version", type);
+  return status(grpc::StatusCode::INVALID_ARGUMENT, message, message, error_info("MALFORMED_REQUEST"));
+}
+
 grpc::Status overloaded() {
   google::rpc::RetryInfo retry;
   *retry.mutable_retry_delay() = google::protobuf::util::TimeUtil::MillisecondsToDuration(kRetryDelay.count());

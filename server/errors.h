@@ -17,6 +17,9 @@ namespace dualarm {
 /// 8 KiB of metadata that gRPC clients take by default; ErrorInfo's metadata "violation_count" says how many there are.
 grpc::Status invalid_argument(const Violations& violations);
 
+/// INVALID_ARGUMENT: the bytes are not a message of this type.
+grpc::Status malformed_request(std::string_view type);
+
 /// RESOURCE_EXHAUSTED: a RetryInfo.
 grpc::Status overloaded();
 

@@ -7,8 +7,10 @@
 
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "server/listen_address.h"
+#include "server/malformed_requests.h"
 
 namespace dualarm {
 namespace {
@@ -44,6 +46,9 @@ PlanningServer::PlanningServer(const ServerOptions& options, PlanningFunctions f
   builder.SetMaxReceiveMessageSize(options.max_message_mib * 1024 * 1024);
   builder.AddListeningPort(options.listen, grpc::InsecureServerCredentials(), &port_);
   builder.RegisterService(&service_);
+  std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> interceptors;
+  interceptors.push_back(explain_malformed_requests());
+  builder.experimental().SetInterceptorCreators(std::move(interceptors));
   server_ = builder.BuildAndStart();
   if (server_ == nullptr || port_ == 0) {
     throw std::runtime_error(fmt::format(

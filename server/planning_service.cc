@@ -82,16 +82,17 @@ grpc::ServerUnaryReactor* PlanningService::VerifyMotion(grpc::CallbackServerCont
 grpc::ServerUnaryReactor* PlanningService::GetForbiddenRegion(grpc::CallbackServerContext* context,
                                                               const wire::GetForbiddenRegionRequest* request,
                                                               wire::GetForbiddenRegionResponse* response) {
-  return UnaryCall::start(pool_, "GetForbiddenRegion", *context, *request, [this, request, response](const UnaryCall& call) {
-    const Parsed<RegionWish> parsed = parse(*request);
-    if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
-    const auto& wish = std::get<RegionWish>(parsed);
-    const auto contours =
-        functions_.forbidden_region(wish.problem, wish.resolution, call.budget(longest_planning_));
-    if (!contours) return Answer{region_out_of_time(), "out of time"};
-    *response = response_message(*contours, wish.problem);
-    return Answer{grpc::Status::OK, fmt::format("{} contours", response->contours_size())};
-  });
+  return UnaryCall::start(
+      pool_, "GetForbiddenRegion", *context, *request, [this, request, response](const UnaryCall& call) {
+        const Parsed<RegionWish> parsed = parse(*request);
+        if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
+        const auto& wish = std::get<RegionWish>(parsed);
+        const auto contours =
+            functions_.forbidden_region(wish.problem, wish.resolution, call.budget(longest_planning_));
+        if (!contours) return Answer{region_out_of_time(), "out of time"};
+        *response = response_message(*contours, wish.problem);
+        return Answer{grpc::Status::OK, fmt::format("{} contours", response->contours_size())};
+      });
 }
 
 grpc::ServerUnaryReactor* PlanningService::GetPhasePortrait(grpc::CallbackServerContext* /*context*/,

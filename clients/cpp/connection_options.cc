@@ -5,9 +5,10 @@
 namespace dualarm {
 
 void add_connection_options(CLI::App& command, ConnectionOptions& options) {
-  command.add_option("--server", options.server,
-                     "HOST:PORT of a dualarm-server; without it the server beside this program is started on a "
-                     "private socket and stopped afterwards")
+  command
+      .add_option("--server", options.server,
+                  "HOST:PORT of a dualarm-server; without it the server beside this program is started on a "
+                  "private socket and stopped afterwards")
       ->check(CLI::Validator(
           [](const std::string& server) { return server.empty() ? "is empty: give HOST:PORT or unix:PATH" : ""; }, ""));
   command.add_option("--timeout", options.timeout_s, "seconds to wait for one answer")

@@ -26,7 +26,8 @@ std::string shown(const std::string& path) { return path == "-" ? "stdin" : path
 
 std::string read_text(const std::string& path) {
   std::error_code no_folder;
-  if (path != "-" && std::filesystem::is_directory(path, no_folder)) complain(path, "cannot be read: it is a directory");
+  if (path != "-" && std::filesystem::is_directory(path, no_folder))
+    complain(path, "cannot be read: it is a directory");
   std::string text;
   if (path == "-") {
     text = text_from(std::cin);

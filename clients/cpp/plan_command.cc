@@ -41,7 +41,8 @@ void PlanCommand::add_to(CLI::App& command) {
   command.add_option("FILE", files, "requests (PlanMotionRequest as JSON, see scenarios/); - is stdin")->required();
   auto* json_flag = command.add_flag("--json", json, "print the answer as JSON and nothing else; one FILE");
   command.add_flag("--table", table, "print one row a FILE")->excludes(json_flag);
-  command.add_option("--output", output, "also write the answer (PlanMotionResponse as JSON, what --json prints) to this file, for "
+  command.add_option("--output", output,
+                     "also write the answer (PlanMotionResponse as JSON, what --json prints) to this file, for "
                      "'dualarm verify FILE --plan'; one FILE");
   command.add_option("--svg", svg, "draw the plan in the plane of the joint positions into this file; one FILE");
   command.add_option("--svg-folder", svg_folder, "draw every plan into this folder, as <name of FILE>.svg")

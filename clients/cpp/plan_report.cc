@@ -38,8 +38,7 @@ std::string lines_of(const Plan& plan) {
   const Certificate& certificate = plan.certificate();
   std::string lines =
       fmt::format("  duration     {}, method {}\n", seconds(plan.duration_s()), words_for(plan.method()));
-  lines +=
-      fmt::format("  lower bound  {}, gap {}\n", seconds(certificate.lower_bound_s()), percent(certificate.gap()));
+  lines += fmt::format("  lower bound  {}, gap {}\n", seconds(certificate.lower_bound_s()), percent(certificate.gap()));
   lines += fmt::format("  claim        {}\n", claim_sentence(plan));
   return lines + arm_lines(plan) + verification_lines(plan.verification()) + safe_delay_lines(plan);
 }
@@ -64,7 +63,8 @@ std::string plan_report(const std::string& name, const PlanMotionResponse& respo
       text = fmt::format("{}: a verified plan\n\n{}", name, lines_of(response.plan()));
       break;
     case PlanMotionResponse::kInfeasible:
-      text = fmt::format("{}: no plan exists within what the request allows\n\n{}", name, lines_of(response.infeasible()));
+      text =
+          fmt::format("{}: no plan exists within what the request allows\n\n{}", name, lines_of(response.infeasible()));
       break;
     case PlanMotionResponse::kUndecided:
       text = fmt::format("{}: undecided, no plan was found and none is excluded\n\n{}", name,

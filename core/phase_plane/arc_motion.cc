@@ -14,7 +14,7 @@ constexpr double kQuadratureTolerance = 1e-13;
 /// Subdivisions allowed for motions that nearly stall on the way.
 constexpr unsigned kQuadratureDepth = 15;
 /// By how much, relative to the arc, an integration may miss the arc's end before its steps are halved, and into how
-/// many: motions that nearly stall magnify rounding, no step is short enough for them, and each state is sought alone.
+/// many: motions that nearly stall magnify rounding, and no step is short enough for them.
 constexpr double kEndTolerance = 1e-11;
 constexpr int kMostParts = 4;
 /// Part of a position below which an arc counts as this long: there the end tolerance is a few roundings of the
@@ -93,40 +93,46 @@ JointState ArcMotion::at(double time) const {
 
 std::vector<JointState> ArcMotion::states(int count) const {
   const double step = (arc_.end_time - arc_.start_time) / count;
-  std::vector<JointState> states(count + 1, arc_.start);
   if (arc_.kind == ArcKind::kCruise) {
+    std::vector<JointState> states(count + 1, arc_.start);
     for (int i = 1; i < count; ++i) states[i].position += arc_.start.velocity * step * i;
-  } else {
-    // The end is known in closed form: an integration that misses it was too coarse.
-    double miss = integrate(states, step, 1);
-    for (int parts = 2; miss > kEndTolerance && parts <= kMostParts; parts *= 2) miss = integrate(states, step, parts);
-    if (miss > kEndTolerance) {
-      for (int i = 1; i < count; ++i) states[i] = at(arc_.start_time + step * i);
-    } else {
-      spread_miss(states);
-    }
+    states.back() = arc_.end;
+    return states;
   }
-  states.back() = arc_.end;
-  return states;
+  // The end is known in closed form: an integration that misses it was too coarse.
+  std::vector<JointState> states;
+  for (int parts = 1; parts <= kMostParts; parts *= 2) {
+    states = integrated(arc_.start, step, count, parts);
+    if (miss(states.back()) > kEndTolerance) continue;
+    spread_miss(states);
+    return states;
+  }
+  return met_halfway(std::move(states), integrated(arc_.end, -step, count, kMostParts));
 }
 
-/// Fills in the states after the first, each interval of `step` s in `parts` steps; returns by how much the last one
-/// misses the arc's end, relative to the arc.
-double ArcMotion::integrate(std::vector<JointState>& states, double step, int parts) const {
+/// States from one on, `count` steps of `step` s, each in `parts` steps of the integration.
+std::vector<JointState> ArcMotion::integrated(const JointState& from, double step, int count, int parts) const {
   using State = std::array<double, 2>;
   boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
   const auto rate_of = [this](const State& state, State& rate, double) {
     rate = {state[1], system_.extreme_acceleration(extreme_, state[0])};
   };
-  State state = {arc_.start.position, arc_.start.velocity};
-  for (std::size_t i = 1; i < states.size(); ++i) {
+  std::vector<JointState> states = {from};
+  states.reserve(count + 1);
+  State state = {from.position, from.velocity};
+  for (int i = 0; i < count; ++i) {
     for (int part = 0; part < parts; ++part) stepper.do_step(rate_of, state, 0.0, step / parts);
-    states[i] = {state[0], state[1]};
+    states.push_back({state[0], state[1]});
   }
-  // Positions are no better than their own rounding.
-  const double travel = std::abs(arc_.end.position - arc_.start.position) + kShortestTravel * std::abs(state[0]);
+  return states;
+}
+
+/// By how much a state misses the arc's end, relative to the arc; positions are no better than their own rounding.
+double ArcMotion::miss(const JointState& state) const {
+  const double travel = std::abs(arc_.end.position - arc_.start.position) + kShortestTravel * std::abs(state.position);
   const double speed = std::max(std::abs(arc_.start.velocity), std::abs(arc_.end.velocity));
-  return std::max(std::abs(state[0] - arc_.end.position) / travel, std::abs(state[1] - arc_.end.velocity) / speed);
+  return std::max(std::abs(state.position - arc_.end.position) / travel,
+                  std::abs(state.velocity - arc_.end.velocity) / speed);
 }
 
 /// What the integration misses the end by, taken from all states in equal shares: in one step it would show as torque.
@@ -138,6 +144,23 @@ void ArcMotion::spread_miss(std::vector<JointState>& states) const {
     states[i].position += share * position_miss;
     states[i].velocity += share * velocity_miss;
   }
+  states.back() = arc_.end;
+}
+
+/// A motion that nearly stalls magnifies every rounding on its way past the slow point, in either direction of time: so
+/// each half is taken from its own end, up to where the two agree best.
+std::vector<JointState> ArcMotion::met_halfway(std::vector<JointState> forward, std::vector<JointState> backward) {
+  std::reverse(backward.begin(), backward.end());
+  const auto apart = [&](std::size_t i) {
+    return std::abs(forward[i].position - backward[i].position) + std::abs(forward[i].velocity - backward[i].velocity);
+  };
+  std::size_t meeting = 0;
+  for (std::size_t i = 0; i < forward.size(); ++i) {
+    if (apart(i) < apart(meeting)) meeting = i;
+  }
+  std::copy(backward.begin() + static_cast<std::ptrdiff_t>(meeting), backward.end(),
+            forward.begin() + static_cast<std::ptrdiff_t>(meeting));
+  return forward;
 }
 
 }  // namespace dualarm

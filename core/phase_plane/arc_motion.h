@@ -32,8 +32,10 @@ class ArcMotion {
   double speed_near_anchor(double root) const;
   double time_from_anchor(double root) const;
   double speed_squared(double change) const;
-  double integrate(std::vector<JointState>& states, double step, int parts) const;
+  std::vector<JointState> integrated(const JointState& from, double step, int count, int parts) const;
+  double miss(const JointState& state) const;
   void spread_miss(std::vector<JointState>& states) const;
+  static std::vector<JointState> met_halfway(std::vector<JointState> forward, std::vector<JointState> backward);
 
   const System& system_;
   const Arc& arc_;

@@ -32,38 +32,45 @@ TurningBody turning_body(const CarriedBody& carried_body, Interval time, double 
 
 }  // namespace
 
-std::vector<BodyPair> pairs_that_may_meet(const Problem& problem, const std::array<Interpolant, kArmCount>& motions,
-                                          const Interpolant& rest) {
-  std::array<std::vector<CarriedBody>, kArmCount> moving;
+CarriedBodies carried_bodies(const Problem& problem, const std::array<Interpolant, kArmCount>& motions,
+                             const Interpolant& rest) {
+  CarriedBodies bodies;
   for (int arm = 0; arm < kArmCount; ++arm) {
     for (const Body& body : moving_bodies(problem, arm)) {
-      moving[arm].push_back(carried(body, problem.arms[arm].base, motions[arm]));
+      bodies.moving[arm].push_back(carried(body, problem.arms[arm].base, motions[arm]));
     }
   }
-  std::vector<CarriedBody> fixed;
-  for (const Body& body : fixed_bodies(problem)) fixed.push_back(carried(body, Base{}, rest));
+  for (const Body& body : fixed_bodies(problem)) bodies.fixed.push_back(carried(body, Base{}, rest));
+  return bodies;
+}
 
+std::vector<BodyPair> pairs_that_may_meet(const CarriedBodies& bodies) {
   std::vector<BodyPair> pairs;
   const auto pair_up = [&pairs](const std::vector<CarriedBody>& firsts, const std::vector<CarriedBody>& seconds) {
     for (const CarriedBody& first : firsts) {
       for (const CarriedBody& second : seconds) {
-        pairs.push_back({first, second, clearance_error(first.body.capsule, second.body.capsule)});
+        pairs.push_back({&first, &second, clearance_error(first.body.capsule, second.body.capsule)});
       }
     }
   };
-  pair_up(moving[0], moving[1]);
-  pair_up(moving[0], fixed);
-  pair_up(moving[1], fixed);
+  pair_up(bodies.moving[0], bodies.moving[1]);
+  pair_up(bodies.moving[0], bodies.fixed);
+  pair_up(bodies.moving[1], bodies.fixed);
   return pairs;
+}
+
+double swept_distance(const BodyPair& pair) {
+  const Eigen::Vector3d apart = pair.second->base.position - pair.first->base.position;
+  return apart.head<2>().norm() - pair.first->reach - pair.second->reach - kSeparationRounding;
 }
 
 DistanceOverTime distance_over(const BodyPair& pair, Interval time) {
   const double middle = 0.5 * (time.lower + time.upper);
-  const TurningBody first = turning_body(pair.first, time, middle);
-  const TurningBody second = turning_body(pair.second, time, middle);
+  const TurningBody first = turning_body(*pair.first, time, middle);
+  const TurningBody second = turning_body(*pair.second, time, middle);
   DistanceOverTime result = {clearance(first.capsule, second.capsule), 0.0};
-  result.lower_bound = result.in_the_middle.distance - pair.error - farthest_way(pair.first, time, middle) -
-                       farthest_way(pair.second, time, middle);
+  result.lower_bound = result.in_the_middle.distance - pair.error - farthest_way(*pair.first, time, middle) -
+                       farthest_way(*pair.second, time, middle);
   const Eigen::Vector3d across = result.in_the_middle.point_on_first - result.in_the_middle.point_on_second;
   const double length = across.norm();
   if (length > kShortestNormal) {

@@ -18,16 +18,28 @@ struct CarriedBody {
   double reach = 0.0;                   ///< m
 };
 
-/// Two bodies whose distance matters.
+/// All bodies of a problem. Motions outlive this.
+struct CarriedBodies {
+  std::array<std::vector<CarriedBody>, kArmCount> moving;
+  std::vector<CarriedBody> fixed;
+};
+
+/// Two bodies whose distance matters; they outlive this.
 struct BodyPair {
-  CarriedBody first;
-  CarriedBody second;
+  const CarriedBody* first = nullptr;
+  const CarriedBody* second = nullptr;
   double error = 0.0;  ///< m, FCL's, see clearance_error
 };
 
-/// Every pair of bodies that may meet. `rest` is the motion of what stands still.
-std::vector<BodyPair> pairs_that_may_meet(const Problem& problem, const std::array<Interpolant, kArmCount>& motions,
-                                          const Interpolant& rest);
+/// `rest` is the motion of what stands still.
+CarriedBodies carried_bodies(const Problem& problem, const std::array<Interpolant, kArmCount>& motions,
+                             const Interpolant& rest);
+
+/// Every pair of bodies that may meet.
+std::vector<BodyPair> pairs_that_may_meet(const CarriedBodies& bodies);
+
+/// Lower bound (m, perhaps negative) on the distance of a pair at any time: that of the discs that they can sweep.
+double swept_distance(const BodyPair& pair);
 
 /// The distance of a pair in the middle of an interval of time, and what it proves about all of the interval.
 struct DistanceOverTime {

@@ -22,8 +22,10 @@ struct Sighting {
 struct Candidate {
   std::size_t pair = 0;
   Interval time;
-  double distance = 0.0;  // in the middle
+  double distance = std::numeric_limits<double>::infinity();  // in the middle; infinite while nobody has looked
   double lower_bound = 0.0;
+
+  bool is_examined() const { return distance < std::numeric_limits<double>::infinity(); }
 
   bool operator<(const Candidate& other) const { return lower_bound > other.lower_bound; }  // lowest bound on top
 };
@@ -33,11 +35,22 @@ class ClearanceSearch {
   ClearanceSearch(const std::vector<BodyPair>& pairs, double demanded)
       : pairs_(pairs), demanded_(std::max(demanded, kTouching)), sightings_(pairs.size()) {}
 
+  /// Pairs that nobody has looked at keep what their swept discs prove, or nothing if that is not enough.
   void run(double duration, const Budget& budget) {
-    for (std::size_t pair = 0; pair < pairs_.size(); ++pair) examine(pair, {0.0, duration});
-    while (!is_decided() && !budget.exhausted() && query_count_ < kMostQueries) {
+    for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
+      const double swept = swept_distance(pairs_[pair]);
+      Candidate whole = {pair, {0.0, duration}};
+      whole.lower_bound = swept >= demanded_ ? swept : -std::numeric_limits<double>::infinity();
+      candidates_.push(whole);
+    }
+    const std::size_t most_queries = kMostQueries + pairs_.size();
+    while (!is_decided() && !budget.exhausted() && static_cast<std::size_t>(query_count_) < most_queries) {
       const Candidate candidate = candidates_.top();
       candidates_.pop();
+      if (!candidate.is_examined()) {
+        examine(candidate.pair, candidate.time);
+        continue;
+      }
       const double middle = 0.5 * (candidate.time.lower + candidate.time.upper);
       examine(candidate.pair, {candidate.time.lower, middle});
       examine(candidate.pair, {middle, candidate.time.upper});
@@ -48,12 +61,12 @@ class ClearanceSearch {
     ClearanceReport report;
     const Candidate& lowest = candidates_.top();
     report.collision_free = lowest.lower_bound >= demanded_;
-    report.min_clearance = report.collision_free ? lowest.lower_bound : smallest_;
+    report.min_clearance = report.collision_free ? lowest.lower_bound : query_count_ > 0 ? smallest_ : 0.0;
     report.distance_query_count = query_count_;
     const auto closest =
         std::min_element(sightings_.begin(), sightings_.end(),
                          [](const Sighting& left, const Sighting& right) { return left.distance < right.distance; });
-    report.closest = approach(static_cast<std::size_t>(closest - sightings_.begin()));
+    if (query_count_ > 0) report.closest = approach(static_cast<std::size_t>(closest - sightings_.begin()));
     if (report.collision_free) return report;
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
       if (sightings_[pair].distance < demanded_) report.violations.push_back(collision(pair));
@@ -79,6 +92,7 @@ class ClearanceSearch {
   bool is_decided() const {
     if (smallest_ < demanded_ && query_count_ >= collision_seen_at_ + kEvidenceQueries) return true;
     const Candidate& lowest = candidates_.top();
+    if (!lowest.is_examined()) return lowest.lower_bound >= smallest_;
     const double error = pairs_[lowest.pair].error;
     const bool is_close = lowest.lower_bound >= smallest_ - error - kClearanceResolution;
     const bool is_final = lowest.time.length() <= kShortestInterval || lowest.lower_bound >= lowest.distance - error;
@@ -87,14 +101,14 @@ class ClearanceSearch {
 
   ClosestApproach approach(std::size_t pair) const {
     const Sighting& sighting = sightings_[pair];
-    return {sighting.time, pairs_[pair].first.body.name, pairs_[pair].second.body.name,
+    return {sighting.time, pairs_[pair].first->body.name, pairs_[pair].second->body.name,
             sighting.clearance.point_on_first, sighting.clearance.point_on_second};
   }
 
   Violation collision(std::size_t pair) const {
     const Sighting& sighting = sightings_[pair];
     return {ViolationKind::kClearance,
-            sentence(pairs_[pair].first.body.name, " and ", pairs_[pair].second.body.name, " are ", sighting.distance,
+            sentence(pairs_[pair].first->body.name, " and ", pairs_[pair].second->body.name, " are ", sighting.distance,
                      " m apart at ", sighting.time, " s, at (", sighting.clearance.point_on_first.transpose(),
                      ") and (", sighting.clearance.point_on_second.transpose(), ") m; ", demanded_, " m are demanded"),
             "",
@@ -107,7 +121,7 @@ class ClearanceSearch {
     const BodyPair& pair = pairs_[lowest.pair];
     const double middle = 0.5 * (lowest.time.lower + lowest.time.upper);
     return {ViolationKind::kClearanceUnknown,
-            sentence("the clearance of ", pair.first.body.name, " and ", pair.second.body.name, " around ", middle,
+            sentence("the clearance of ", pair.first->body.name, " and ", pair.second->body.name, " around ", middle,
                      " s is not proven after ", query_count_, " distance queries: seen ", lowest.distance,
                      " m, proven ", lowest.lower_bound, " m, demanded ", demanded_, " m"),
             "",
@@ -130,7 +144,8 @@ class ClearanceSearch {
 ClearanceReport check_clearance(const Problem& problem, const std::array<Interpolant, kArmCount>& motions,
                                 double duration, const Budget& budget) {
   const Interpolant rest({Knot{}});
-  const std::vector<BodyPair> pairs = pairs_that_may_meet(problem, motions, rest);
+  const CarriedBodies bodies = carried_bodies(problem, motions, rest);
+  const std::vector<BodyPair> pairs = pairs_that_may_meet(bodies);
   ClearanceSearch search(pairs, problem.options.clearance);
   search.run(duration, budget);
   return search.report();

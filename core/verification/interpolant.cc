@@ -30,7 +30,14 @@ std::array<double, kSize - 1> differentiated(const std::array<double, kSize>& be
   return derivative;
 }
 
+constexpr std::size_t kBlockSize = 256;  // pieces
+
 }  // namespace
+
+bool share_a_time(const Knot& before, const Knot& after) {
+  const double last_digits = kSameTimeDigits * std::numeric_limits<double>::epsilon() * after.time;
+  return after.time - before.time <= std::max(kSameTime, last_digits);
+}
 
 Quintic::Quintic(const Knot& start, const Knot& end) : start_(start.time), duration_(end.time - start.time) {
   const double h = duration_;
@@ -69,7 +76,7 @@ Quintic::Quintic(const Knot& start, const Knot& end) : start_(start.time), durat
   const double half_digit = 0.5 * std::numeric_limits<double>::epsilon();
   const double times = std::abs(start.time) + std::abs(end.time);
   const double of_position =
-      half_digit * (std::abs(start.position) + std::abs(end.position) + largest_magnitude(velocity) * times);
+      half_digit * (std::abs(start.position) + std::abs(end.position) + std::max(std::abs(v0), std::abs(v1)) * times);
   const double of_velocity = half_digit * (std::abs(v0) + std::abs(v1) + (std::abs(a0) + std::abs(a1)) * times);
   velocity_rounding_ = 2.0 * of_position / h + of_velocity;
   acceleration_rounding_ = 6.0 * of_position / (h * h) + 4.0 * of_velocity / h;
@@ -90,7 +97,33 @@ double Quintic::derivative(int order, double time) const {
 Interpolant::Interpolant(const std::vector<Knot>& knots)
     : start_{knots.front().position, knots.front().velocity}, end_{knots.back().position, knots.back().velocity} {
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    if (knots[k + 1].time - knots[k].time > kSameTime) pieces_.emplace_back(knots[k], knots[k + 1]);
+    if (!share_a_time(knots[k], knots[k + 1])) pieces_.emplace_back(knots[k], knots[k + 1]);
+  }
+  summarise();
+}
+
+void Interpolant::summarise() {
+  blocks_.resize(pieces_.size() / kBlockSize);
+  for (std::size_t i = 0; i < blocks_.size() * kBlockSize; ++i) {
+    Block& block = blocks_[i / kBlockSize];
+    block.travel += pieces_[i].most(1) * pieces_[i].duration();
+    block.most.speed = std::max(block.most.speed, pieces_[i].most(1));
+    block.most.acceleration = std::max(block.most.acceleration, pieces_[i].most(2));
+  }
+}
+
+template <typename VisitPiece, typename VisitBlock>
+void Interpolant::walk(Interval time, VisitPiece visit_piece, VisitBlock visit_block) const {
+  for (std::size_t i = piece_at(time.lower); i < pieces_.size() && pieces_[i].time().lower <= time.upper;) {
+    const std::size_t block = i / kBlockSize;
+    const bool is_whole = i % kBlockSize == 0 && block < blocks_.size() && time.lower <= pieces_[i].time().lower &&
+                          pieces_[i + kBlockSize - 1].time().upper <= time.upper;
+    if (is_whole) {
+      visit_block(blocks_[block]);
+    } else {
+      visit_piece(pieces_[i]);
+    }
+    i += is_whole ? kBlockSize : 1;
   }
 }
 
@@ -109,20 +142,23 @@ JointState Interpolant::state(double time) const {
 
 double Interpolant::travel(Interval time) const {
   double way = 0.0;
-  for (std::size_t i = piece_at(time.lower); i < pieces_.size() && pieces_[i].time().lower < time.upper; ++i) {
-    const Interval piece = pieces_[i].time();
-    const double shared = std::min(piece.upper, time.upper) - std::max(piece.lower, time.lower);
-    way += pieces_[i].most(1) * std::max(0.0, shared);
-  }
+  const auto add_piece = [&](const Quintic& piece) {
+    const Interval its = piece.time();
+    way += piece.most(1) * std::max(0.0, std::min(its.upper, time.upper) - std::max(its.lower, time.lower));
+  };
+  walk(time, add_piece, [&](const Block& block) { way += block.travel; });
   return way;
 }
 
 Interpolant::Bounds Interpolant::bounds(Interval time) const {
   Bounds most;
-  for (std::size_t i = piece_at(time.lower); i < pieces_.size() && pieces_[i].time().lower <= time.upper; ++i) {
-    most.speed = std::max(most.speed, pieces_[i].most(1));
-    most.acceleration = std::max(most.acceleration, pieces_[i].most(2));
-  }
+  const auto include = [&most](double speed, double acceleration) {
+    most.speed = std::max(most.speed, speed);
+    most.acceleration = std::max(most.acceleration, acceleration);
+  };
+  walk(
+      time, [&](const Quintic& piece) { include(piece.most(1), piece.most(2)); },
+      [&](const Block& block) { include(block.most.speed, block.most.acceleration); });
   return most;
 }
 

@@ -8,6 +8,9 @@
 
 namespace dualarm {
 
+/// Whether two knots, in order of time, tell one state twice and have no motion between them.
+bool share_a_time(const Knot& before, const Knot& after);
+
 /// The motion between two knots: the polynomial of degree five with the position, velocity and acceleration of both.
 class Quintic {
  public:
@@ -58,11 +61,23 @@ class Interpolant {
   Bounds bounds(Interval time) const;
 
  private:
+  /// What a number of pieces one after the other have together, so that long motions are bounded quickly.
+  struct Block {
+    double travel = 0.0;
+    Bounds most;
+  };
+
   std::size_t piece_at(double time) const;
+  void summarise();
+
+  /// Calls visit_piece or visit_block for all that begins before the end of an interval of time.
+  template <typename VisitPiece, typename VisitBlock>
+  void walk(Interval time, VisitPiece visit_piece, VisitBlock visit_block) const;
 
   JointState start_;
   JointState end_;
   std::vector<Quintic> pieces_;
+  std::vector<Block> blocks_;
 };
 
 }  // namespace dualarm

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/verification/interpolant.h"
 #include "core/verification/sentence.h"
 #include "core/verification/tolerances.h"
 
@@ -31,6 +32,12 @@ std::optional<Violation> find_disorder(const ArmTrajectory& motion) {
                       sentence("time of ", motion.arm, " runs backwards at knot ", k, ": ", knots[k - 1].time,
                                " s, then ", knots[k].time, " s"));
     }
+    if (k > 0 && !share_a_time(knots[k - 1], knots[k]) && knots[k].time - knots[k - 1].time < kShortestPiece) {
+      return disorder(motion, knots[k].time,
+                      sentence("knots ", k - 1, " and ", k, " of ", motion.arm, " at ", knots[k].time, " s are ",
+                               knots[k].time - knots[k - 1].time, " s apart; knots share a time or are at least ",
+                               kShortestPiece, " s apart"));
+    }
   }
   if (knots.front().time != 0.0) {
     return disorder(motion, knots.front().time,
@@ -40,19 +47,24 @@ std::optional<Violation> find_disorder(const ArmTrajectory& motion) {
 }
 
 std::optional<Violation> find_jump(const ArmTrajectory& motion) {
+  double way = 0.0;
+  double change = 0.0;
   for (std::size_t k = 0; k + 1 < motion.knots.size(); ++k) {
     const Knot& before = motion.knots[k];
     const Knot& after = motion.knots[k + 1];
-    if (after.time - before.time > kSameTime) continue;
-    const double jump =
-        std::max(std::abs(after.position - before.position), std::abs(after.velocity - before.velocity));
+    if (!share_a_time(before, after)) continue;
+    way += std::abs(after.position - before.position);
+    change += std::abs(after.velocity - before.velocity);
+    const double jump = std::max(way, change);
     if (jump <= kJumpTolerance) continue;
-    return Violation{ViolationKind::kContinuity,
-                     sentence("position or velocity of ", motion.arm, " jumps by ", jump, " at ", before.time, " s"),
-                     motion.arm,
-                     before.time,
-                     jump,
-                     kJumpTolerance};
+    return Violation{
+        ViolationKind::kContinuity,
+        sentence("jumps of position or velocity of ", motion.arm, " between knots that share a time reach ", jump,
+                 " at ", before.time, " s; together they may be ", kJumpTolerance),
+        motion.arm,
+        before.time,
+        jump,
+        kJumpTolerance};
   }
   return std::nullopt;
 }

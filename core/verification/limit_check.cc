@@ -1,5 +1,8 @@
 #include "core/verification/limit_check.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/verification/joint_torque.h"
 #include "core/verification/peak.h"
 #include "core/verification/sentence.h"
@@ -13,10 +16,32 @@ Quantity position_along(const Quintic& piece) {
           0.0};
 }
 
-Quantity velocity_along(const Quintic& piece) {
+Quantity velocity_along(const Quintic& piece, double most_rounding) {
   return {[&piece](double time) { return piece.derivative(1, time); }, [&piece](Interval) { return piece.most(3); },
-          piece.velocity_rounding()};
+          std::min(most_rounding, piece.velocity_rounding())};
 }
+
+/// How much rounding of torques a motion is forgiven. Less than the tolerance is free; what is more is a velocity over
+/// the time of its piece, and all of them together are a small part of the motion's own.
+class Forgiveness {
+ public:
+  Forgiveness(const Arm& arm, const std::vector<Knot>& knots)
+      : free_(kTorqueTolerance * Share::by_side(arm.torque).unit()) {
+    for (const Knot& knot : knots) left_ = std::max(left_, kMostForgivenVelocity * std::abs(knot.velocity));
+  }
+
+  double of(const Quintic& piece, double rounding) {
+    if (rounding <= free_) return rounding;
+    const double taken = piece.acceleration_rounding() * piece.duration();
+    if (!(taken <= left_)) return free_;
+    left_ -= taken;
+    return rounding;
+  }
+
+ private:
+  double free_;        // N m
+  double left_ = 0.0;  // rad/s
+};
 
 /// One limit of one arm: its search, and the words for it.
 struct Limit {
@@ -55,7 +80,7 @@ LimitReport check_limits(const Arm& arm, const std::vector<Knot>& knots, const I
                          const Budget& budget) {
   const JointTorque torque_of_motion(arm);
   Limit range(ViolationKind::kJointRange, "position", "rad", arm.joint_range, Share::from_middle(arm.joint_range),
-              kStateTolerance * Share::from_middle(arm.joint_range).per_unit());
+              kStateTolerance / Share::from_middle(arm.joint_range).unit());
   Limit velocity(ViolationKind::kVelocity, "velocity", "rad/s", arm.velocity, Share::by_side(arm.velocity),
                  kVelocityTolerance);
   Limit torque(ViolationKind::kTorque, "torque", "N m", arm.torque, Share::by_side(arm.torque), kTorqueTolerance);
@@ -65,13 +90,17 @@ LimitReport check_limits(const Arm& arm, const std::vector<Knot>& knots, const I
     velocity.search.visit(knot.time, knot.velocity);
     torque.search.visit(knot.time, torque_of_motion.at(knot.position, knot.acceleration));
   }
+  const double most_velocity_rounding = kMostVelocityRounding * Share::by_side(arm.velocity).unit();
+  Forgiveness forgiveness(arm, knots);
   bool is_complete = true;
   for (const Quintic& piece : motion.pieces()) {
     is_complete = !budget.exhausted();
     if (!is_complete) break;
     range.search.visit(position_along(piece), piece.time());
-    velocity.search.visit(velocity_along(piece), piece.time());
-    torque.search.visit(torque_of_motion.along(piece), piece.time());
+    velocity.search.visit(velocity_along(piece, most_velocity_rounding), piece.time());
+    Quantity its_torque = torque_of_motion.along(piece);
+    its_torque.rounding = forgiveness.of(piece, its_torque.rounding);
+    torque.search.visit(its_torque, piece.time());
   }
 
   LimitReport report = {

@@ -12,21 +12,29 @@ namespace {
 /// What is not a number uses more than any limit.
 double or_infinite(double share) { return std::isnan(share) ? std::numeric_limits<double>::infinity() : share; }
 
+double half_width_of(Interval limits) {
+  if (std::isfinite(limits.lower) == std::isfinite(limits.upper)) return 0.5 * limits.upper - 0.5 * limits.lower;
+  return std::max(1.0, std::abs(std::isfinite(limits.lower) ? limits.lower : limits.upper));
+}
+
 }  // namespace
 
+Share::Share(double origin, Interval limits) : origin_(origin), limits_(limits), half_width_(half_width_of(limits)) {}
+
 Share Share::by_side(Interval limits) {
-  return limits.lower < 0.0 && 0.0 < limits.upper ? Share(0.0, limits) : from_middle(limits);
+  return limits.lower <= 0.0 && 0.0 <= limits.upper ? Share(0.0, limits) : from_middle(limits);
 }
 
 Share Share::from_middle(Interval limits) { return {0.5 * (limits.lower + limits.upper), limits}; }
 
-double Share::of(double value) const {
-  const double used = value - origin_;
-  if (used == 0.0) return 0.0;
-  return or_infinite(used / ((used > 0.0 ? limits_.upper : limits_.lower) - origin_));
+double Share::of(double value, double rounding) const {
+  const double nearest = value > origin_ ? std::max(origin_, value - rounding) : std::min(origin_, value + rounding);
+  if (std::isnan(value) || std::isnan(nearest)) return std::numeric_limits<double>::infinity();
+  if (nearest > limits_.upper) return or_infinite(1.0 + (nearest - limits_.upper) / half_width_);
+  if (nearest < limits_.lower) return or_infinite(1.0 + (limits_.lower - nearest) / half_width_);
+  const double used = nearest - origin_;
+  return used == 0.0 ? 0.0 : or_infinite(used / ((used > 0.0 ? limits_.upper : limits_.lower) - origin_));
 }
-
-double Share::per_unit() const { return 1.0 / std::min(limits_.upper - origin_, origin_ - limits_.lower); }
 
 void PeakSearch::visit(double time, double value) {
   const double share = share_.of(value);
@@ -40,10 +48,9 @@ void PeakSearch::visit(const Quantity& quantity, Interval time) {
 
 void PeakSearch::search(const Quantity& quantity, Interval time, double start, double end, int halvings) {
   const double departure = quantity.curvature(time) * time.length() * time.length() / 8.0;
-  const double highest = share_.of(std::max(start, end) + departure);
-  const double lowest = share_.of(std::min(start, end) - departure);
-  const double rounding = quantity.rounding * share_.per_unit();
-  const double bound = or_infinite(std::max(highest, lowest) - rounding);
+  const double highest = share_.of(std::max(start, end) + departure, quantity.rounding);
+  const double lowest = share_.of(std::min(start, end) - departure, quantity.rounding);
+  const double bound = std::max(highest, lowest);
   const bool is_close = bound <= attained_ + slack_ * std::max(1.0, attained_);
   if (is_close || halvings >= kMostHalvings || attained_ > kHopelessShare) {
     proven_ = std::max(proven_, bound);
@@ -51,7 +58,7 @@ void PeakSearch::search(const Quantity& quantity, Interval time, double start, d
   }
   const double middle_time = 0.5 * (time.lower + time.upper);
   const double middle = quantity.value(middle_time);
-  attain(middle_time, middle, share_.of(middle) - rounding);
+  attain(middle_time, middle, share_.of(middle, quantity.rounding));
   search(quantity, {time.lower, middle_time}, start, middle, halvings + 1);
   search(quantity, {middle_time, time.upper}, middle, end, halvings + 1);
 }

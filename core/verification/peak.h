@@ -6,26 +6,29 @@
 
 namespace dualarm {
 
-/// How much of a limit a value uses: 1 at the limit, more outside, 0 where nothing is used.
+/// How much of a limit a value uses: 1 at the limit, more outside, 0 where nothing is used. What is outside counts
+/// against half the width of the limits on either side, so that a side of next to nothing does not magnify rounding.
 class Share {
  public:
-  /// By side: value / upper above zero, value / lower below; nothing is used of an infinite limit. Limits that do not
-  /// contain zero are judged from their middle.
+  /// By side: value / upper above zero, value / lower below; nothing is used of an infinite limit. Where one side is
+  /// infinite, the width is twice the other (at least 2 units). Limits without zero are judged from their middle.
   static Share by_side(Interval limits);
 
   /// Distance from the middle of the limits over half their width.
   static Share from_middle(Interval limits);
 
-  double of(double value) const;
+  /// The least share of what is within `rounding` of a value.
+  double of(double value, double rounding = 0.0) const;
 
-  /// Upper bound on the change of the share for a unit of the value.
-  double per_unit() const;
+  /// What a share of 1 outside of the limits is in units of the value: half the width of the limits.
+  double unit() const { return half_width_; }
 
  private:
-  Share(double origin, Interval limits) : origin_(origin), limits_(limits) {}
+  Share(double origin, Interval limits);
 
   double origin_;
   Interval limits_;
+  double half_width_;
 };
 
 /// A quantity along a stretch of time, as functions of time (s).

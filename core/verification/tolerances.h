@@ -7,17 +7,31 @@ namespace dualarm {
 /// rad and rad/s. First and last knot against the task, position against the joint range, arcs against knots.
 inline constexpr double kStateTolerance = 1e-7;
 
-/// rad and rad/s. Two knots at one time are the same state computed from either side; rounding leaves far less.
+/// rad and rad/s, of all jumps of a motion together. Two knots at one time are the same state computed from either
+/// side; rounding leaves far less, and many small jumps must not add up to a way that nobody checks.
 inline constexpr double kJumpTolerance = 1e-9;
 
-/// s. Knots at most this far apart share a time: a quintic over less is nothing but rounding.
+/// s. Knots at most this far apart, or a few last digits of their times, share a time (share_a_time): a quintic over
+/// less is nothing but rounding.
 inline constexpr double kSameTime = 1e-12;
+inline constexpr double kSameTimeDigits = 4.0;
+
+/// s. Knots that do not share a time are at least this far apart: over less, rounding hides what a motion does. Fastest
+/// motions have arcs of 2e-9 s.
+inline constexpr double kShortestPiece = 1e-11;
 
 /// s. Ends of arcs against each other and against the plan: sums of times, each rounded.
 inline constexpr double kTimeTolerance = 1e-9;
 
 /// Share of the velocity limit. A cruise rides on the limit.
 inline constexpr double kVelocityTolerance = 1e-6;
+
+/// Share of the velocity limit, forgiven at most for rounding of knots: 5e-5 for pieces of 1e-6 s after a day.
+inline constexpr double kMostVelocityRounding = 1e-4;
+
+/// Share of a motion's largest velocity that rounding of accelerations may explain over all of its time. A piece of
+/// 1e-6 s after 1e5 s takes 1.3e-4, usual ones nothing; without an end, many short pieces hide any acceleration.
+inline constexpr double kMostForgivenVelocity = 2e-3;
 
 /// Share of the torque limit. Fastest motions ride on the limit, and a quintic departs from them a little.
 inline constexpr double kTorqueTolerance = 2e-6;

@@ -34,7 +34,7 @@ TorqueColumnReport check_torque_column(const Arm& arm, const std::vector<Knot>& 
   std::size_t next_piece = 0;
   for (std::size_t k = 0; k < knots.size(); ++k) {
     if (mismatch(knots[k], needed) > mismatch(knots[worst], needed)) worst = k;
-    if (k + 1 == knots.size() || knots[k + 1].time - knots[k].time <= kSameTime) continue;
+    if (k + 1 == knots.size() || share_a_time(knots[k], knots[k + 1])) continue;
     const Quintic& piece = motion.pieces()[next_piece++];
     const double h = piece.duration();
     const double residual = needed.along(piece).curvature(piece.time()) * h * h / 8.0 +

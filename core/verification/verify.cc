@@ -32,6 +32,7 @@ void add_arm(Verification& verification, const Arm& arm, const ArmTrajectory& tr
     verification.violations.push_back({ViolationKind::kClearanceUnknown,
                                        "the budget ended before the limits of " + arm.name + " were proven", arm.name,
                                        0.0, 0.0, 0.0});
+    return;
   }
 
   const TorqueColumnReport torques = check_torque_column(arm, trajectory.knots, motion);

@@ -14,8 +14,8 @@ namespace dualarm {
 /// A claim of a trajectory that does not hold.
 enum class ViolationKind {
   kArm,               ///< trajectories are not one for each arm of the problem, in its order
-  kKnotOrder,         ///< fewer than two knots, times that decrease or are not finite, arms that do not cover one span
-  kContinuity,        ///< position or velocity jumps at a repeated time
+  kKnotOrder,         ///< fewer than two knots, times that decrease, nearly meet or are not finite, arms with two spans
+  kContinuity,        ///< position or velocity jumps between knots that share a time, all jumps together
   kEndState,          ///< first or last knot is not the task's start or goal
   kJointRange,        ///< position leaves the joint range
   kVelocity,          ///< velocity leaves its limits
@@ -23,7 +23,8 @@ enum class ViolationKind {
   kTorqueColumn,      ///< the torque that is written is not the one that the motion needs
   kArc,               ///< arcs and knots tell different motions
   kClearance,         ///< two bodies come closer than demanded
-  kClearanceUnknown,  ///< the proof did not end, of the clearance or (out of budget) of a limit: neither kept nor broken
+  kClearanceUnknown,  ///< the proof did not end, of the clearance or (out of budget) of a limit: neither kept nor
+                      ///< broken
 };
 
 struct Violation {

@@ -72,6 +72,11 @@ class CommandLine : public ::testing::Test {
     arguments.insert(arguments.begin(), DUALARM_PROGRAM);
     return {arguments, {"TMPDIR=" + tmp()}, folder_.string(), input};
   }
+  /// With stdout on a device that is always full.
+  ProgramResult run_on_full_disk(const std::string& arguments) {
+    const std::string script = "exec " DUALARM_PROGRAM " " + arguments + " > /dev/full";
+    return ProgramRun({"/bin/sh", "-c", script}, {"TMPDIR=" + tmp()}, folder_.string(), "").wait();
+  }
   ProgramResult run(const std::vector<std::string>& arguments, const std::string& input = "") {
     return start(arguments, input).wait();
   }
@@ -183,6 +188,59 @@ TEST_F(CommandLine, VerifiesThePlanItWroteAndNotATamperedOne) {
   VerifyMotionResponse response;
   ASSERT_TRUE(parses_as(refused.out, response));
   EXPECT_GT(response.verification().violations_size(), 0);
+}
+
+TEST_F(CommandLine, VerifiesAPlanByItselfAndRefusesWhatHoldsNone) {
+  ASSERT_EQ(run({"plan", scenario("paper_case1"), "--output", file("answer.json")}).exit_status, 0);
+  PlanMotionResponse answer;
+  read_json(file("answer.json"), answer);
+  write_text(file("plan.json"), json_of(answer.plan()));
+  const auto verified = run({"verify", scenario("paper_case1"), "--plan", file("plan.json")});
+  EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  EXPECT_EQ(run({"verify", scenario("paper_case1"), "--plan", "-"}, json_of(answer)).exit_status, 0);
+
+  answer.mutable_infeasible();
+  const auto none = run({"verify", scenario("paper_case1"), "--plan", "-"}, json_of(answer));
+  EXPECT_EQ(none.exit_status, 2);
+  EXPECT_THAT(none.err, HasSubstr("stdin: holds no plan"));
+  EXPECT_EQ(run({"verify", "-", "--plan", "-"}).exit_status, 2);
+}
+
+TEST_F(CommandLine, EndsWithOneWhereItsAnswerCannotBeWritten) {
+  const std::string plan = "plan " + scenario("paper_case1");
+  for (const std::string& command : {plan, plan + " --json", plan + " --table", std::string("health"),
+                                     std::string("plan --help"), std::string("--version")}) {
+    SCOPED_TRACE(command);
+    const auto result = run_on_full_disk(command);
+    EXPECT_EQ(result.exit_status, 1);
+    EXPECT_THAT(result.err, HasSubstr("dualarm: stdout: cannot be written"));
+  }
+}
+
+TEST_F(CommandLine, TellsItsVersion) {
+  const auto result = run({"--version"});
+  EXPECT_EQ(result.exit_status, 0);
+  EXPECT_EQ(result.out, "dualarm " DUALARM_VERSION "\n");
+}
+
+TEST_F(CommandLine, RefusesAnEmptyServerAndAMissingTemporaryFolderWithARemedy) {
+  const auto server = run({"health", "--server", ""});
+  EXPECT_EQ(server.exit_status, 2);
+  EXPECT_THAT(server.err, HasSubstr("give HOST:PORT or unix:PATH"));
+  fs::remove(tmp());
+  const auto folder = run({"health"});
+  EXPECT_EQ(folder.exit_status, 5);
+  EXPECT_THAT(folder.err, HasSubstr("set TMPDIR to a folder"));
+}
+
+TEST_F(CommandLine, SpeaksOnceOfAFileThatCannotBePlanned) {
+  const auto report = run({"plan", scenario("paper_case1"), "/nowhere.json"});
+  EXPECT_EQ(report.exit_status, 2);
+  EXPECT_EQ(report.err, "dualarm: /nowhere.json: cannot be read: No such file or directory\n");
+  const auto table = run({"plan", scenario("paper_case1"), "/nowhere.json", "--table"});
+  EXPECT_EQ(table.exit_status, 2);
+  EXPECT_THAT(table.out, HasSubstr("ERROR"));
+  EXPECT_THAT(table.err, IsEmpty());
 }
 
 TEST_F(CommandLine, PlansManyFilesIntoATableAndDrawings) {

@@ -47,7 +47,7 @@ TEST(ReadJson, NamesTheFileAndTheProblem) {
   EXPECT_THAT(complaint_about(broken), AllOf(HasSubstr(broken), HasSubstr("PlanMotionRequest")));
   EXPECT_THAT(complaint_about(file_with("{\"robto\": {}}")), HasSubstr("robto"));
   EXPECT_THAT(complaint_about("/nowhere/at/all.json"), HasSubstr("/nowhere/at/all.json: cannot be read"));
-  EXPECT_THAT(complaint_about(::testing::TempDir()), HasSubstr("cannot be read"));
+  EXPECT_THAT(complaint_about(::testing::TempDir()), HasSubstr("it is a directory"));
   EXPECT_THAT(complaint_about(file_with("")), HasSubstr("is empty"));
 }
 

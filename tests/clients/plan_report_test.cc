@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "clients/cpp/plan_table.h"
+#include "clients/cpp/verification_report.h"
+#include "clients/cpp/wording.h"
 #include "tests/clients/sample_answers.h"
 
 namespace dualarm {
@@ -39,6 +41,22 @@ TEST(PlanReport, NamesSafeDelaysAndBrokenDemands) {
   const std::string report = plan_report("two_arms", response);
   EXPECT_THAT(report, HasSubstr("<right> may start later than left by [-inf, -1.000000] s"));
   EXPECT_THAT(report, AllOf(HasSubstr("NOT proven"), HasSubstr("BROKEN       too close")));
+}
+
+TEST(PlanReport, SaysWhenNothingOfAMotionWasJudged) {
+  planning::v1::Verification verification;
+  verification.add_violations()->set_explanation(" has 0 knots; a motion has at least two");
+  EXPECT_EQ(verification_lines(verification),
+            "  not judged   clearance and limits: the trajectories are no motion\n"
+            "  BROKEN       a trajectory that names no arm has 0 knots; a motion has at least two\n");
+}
+
+TEST(PlanReport, WritesHugeSharesOfALimitShortly) {
+  planning::v1::Verification verification;
+  verification.mutable_torque_utilisation()->set_arm("left");
+  verification.mutable_torque_utilisation()->set_value(1.5e200);
+  EXPECT_THAT(verification_lines(verification), HasSubstr("torque 1.50e+202 % (left at 0.000000 s)\n"));
+  EXPECT_EQ(percent(0.99984), "99.98 %");
 }
 
 TEST(PlanReport, OfARefusalGivesReasonAndExplanation) {

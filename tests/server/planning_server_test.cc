@@ -66,6 +66,29 @@ TEST(PlanningServer, RefusesAHundredMegabytesAndGoesOn) {
   EXPECT_TRUE(stub->PlanMotion(&next, paper_request(), &response).ok());
 }
 
+grpc::Status answer_to_bytes(const TestServer& server, const std::string& method, const std::string& bytes) {
+  const grpc::Slice slice(bytes);
+  const grpc::ByteBuffer request(&slice, 1);
+  grpc::ByteBuffer response;
+  grpc::ClientContext context;
+  std::promise<grpc::Status> done;
+  grpc::GenericStub(server.channel())
+      .UnaryCall(&context, "/dualarm.planning.v1.PlanningService/" + method, {}, &request, &response,
+                 [&done](grpc::Status status) { done.set_value(std::move(status)); });
+  return done.get_future().get();
+}
+
+TEST(PlanningServer, SaysThatBytesAreNoRequest) {
+  const TestServer server;
+  for (const char* method : {"PlanMotion", "VerifyMotion", "GetForbiddenRegion"}) {
+    const grpc::Status status = answer_to_bytes(server, method, "\xff\xff\xff");
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << method;
+    EXPECT_THAT(status.error_message(), HasSubstr(std::string("is not a dualarm.planning.v1.") + method + "Request"));
+  }
+  EXPECT_EQ(answer_to_bytes(server, "NoSuchMethod", "").error_code(), grpc::StatusCode::UNIMPLEMENTED);
+  EXPECT_EQ(answer_to_bytes(server, "GetPhasePortrait", "").error_code(), grpc::StatusCode::UNIMPLEMENTED);
+}
+
 TEST(PlanningServer, ListensOnAFreePortAndSaysWhich) {
   PlanningServer server(listening_on("127.0.0.1:0"), quick_functions());
   EXPECT_GT(server.port(), 0);
@@ -127,6 +150,8 @@ TEST(PlanningServer, DrainingFinishesRunningCallsAndRefusesNewOnes) {
   grpc::StatusCode refused = grpc::StatusCode::OK;
   for (int i = 0; i < 1000 && refused != grpc::StatusCode::UNAVAILABLE; ++i) {
     grpc::ClientContext context;
+    // A connection that the closing listener accepted last is never answered; the next one is refused.
+    context.set_deadline(std::chrono::system_clock::now() + std::chrono::milliseconds(200));
     wire::VerifyMotionResponse unused;
     refused = server.stub()->VerifyMotion(&context, paper_verify_request(), &unused).error_code();
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "core/verification/tolerances.h"
 #include "geometry/chain.h"
@@ -165,6 +166,50 @@ TEST(ClearanceCheck, AnExhaustedBudgetLeavesItUnknown) {
   ASSERT_EQ(report.violations.size(), 1u);
   EXPECT_EQ(report.violations[0].kind, ViolationKind::kClearanceUnknown);
   EXPECT_LE(report.distance_query_count, 3);
+}
+
+/// Two arms that carry many objects each, within reach of each other.
+Problem crowded_problem(int objects) {
+  Problem problem = paper_problem({90.0, 90.0}, {90.0, 90.0}, 0.1, 0.05);
+  for (int i = 0; i < objects; ++i) {
+    problem.objects.push_back({"object" + std::to_string(i),
+                               {{1.0, 0.1, 0.0}, {5.0, 0.1, 0.0}, 0.01},
+                               AttachedPlacement{i % kArmCount, Eigen::Isometry3d::Identity(), 0.0}});
+  }
+  return problem;
+}
+
+TEST(ClearanceCheck, TheBudgetIsAskedBeforeEveryPair) {
+  const Problem problem = crowded_problem(40);  // 441 pairs
+  const Trajectory trajectory = resting_motion(problem, 5.0);
+  int asked = 0;
+  const Budget budget(Budget::Clock::time_point::max(), [&asked] { return ++asked > 10; });
+  const ClearanceReport report = clearance_of(problem, trajectory, budget);
+  EXPECT_LE(report.distance_query_count, 10);
+  EXPECT_FALSE(report.collision_free);
+  ASSERT_EQ(report.violations.size(), 1u);
+  EXPECT_EQ(report.violations[0].kind, ViolationKind::kClearanceUnknown);
+  EXPECT_TRUE(clearance_of(problem, trajectory).collision_free);
+}
+
+TEST(ClearanceCheck, ABudgetThatIsSpentAllowsNoQuery) {
+  const Problem problem = crowded_problem(40);
+  const Budget spent(Budget::Clock::now());
+  const ClearanceReport report = clearance_of(problem, resting_motion(problem, 5.0), spent);
+  EXPECT_EQ(report.distance_query_count, 0);
+  EXPECT_FALSE(report.closest.has_value());
+  ASSERT_EQ(report.violations.size(), 1u);
+  EXPECT_EQ(report.violations[0].kind, ViolationKind::kClearanceUnknown);
+}
+
+TEST(ClearanceCheck, PairsThatNeverComeAsCloseAsOthersNeedNoQueries) {
+  Problem problem = crowded_problem(40);
+  problem.arms[1].base.position.x() = 100.0;
+  for (Task& task : problem.tasks) task.start.position = 0.0;  // the arms point at each other
+  const ClearanceReport report = clearance_of(problem, resting_motion(problem, 5.0));
+  EXPECT_TRUE(report.collision_free);
+  EXPECT_LT(report.distance_query_count, 5);
+  EXPECT_GT(report.min_clearance, 80.0);
 }
 
 TEST(ClearanceCheck, ARestExactlyAtTheDemandedDistanceEndsAndIsNotCalledACollision) {

@@ -83,6 +83,28 @@ TEST(Quintic, NumbersThatOverflowAreBoundedByInfinity) {
   EXPECT_TRUE(std::isinf(piece.most(5)));
 }
 
+TEST(Interpolant, BoundsOfLongMotionsAreThoseOfTheirPieces) {
+  std::vector<Knot> knots;
+  for (int k = 0; k <= 3000; ++k) knots.push_back({0.01 * k, std::sin(0.003 * k), 0.3 * std::cos(0.003 * k), 0.0, 0.0});
+  const Interpolant motion(knots);
+  for (const Interval time : {Interval{0.0, 30.0}, {0.005, 29.993}, {2.56, 5.12}, {2.555, 7.6801}, {29.0, 30.0}}) {
+    SCOPED_TRACE(testing::Message() << time.lower << " to " << time.upper);
+    double travel = 0.0;
+    Interpolant::Bounds most;
+    for (const Quintic& piece : motion.pieces()) {
+      const double shared = std::min(piece.time().upper, time.upper) - std::max(piece.time().lower, time.lower);
+      if (shared <= 0.0) continue;
+      travel += shared * piece.most(1);
+      most.speed = std::max(most.speed, piece.most(1));
+      most.acceleration = std::max(most.acceleration, piece.most(2));
+    }
+    EXPECT_NEAR(motion.travel(time), travel, 1e-12);
+    EXPECT_NEAR(motion.bounds(time).speed, most.speed, 1e-4);
+    EXPECT_GE(motion.bounds(time).speed, most.speed);
+    EXPECT_GE(motion.bounds(time).acceleration, most.acceleration);
+  }
+}
+
 TEST(Interpolant, HasTheStatesOfItsKnotsAndRestsOutside) {
   const Interpolant motion({{0.0, 0.1, 0.0, 1.0, 0.0}, {0.5, 0.3, 0.6, 0.0, 0.0}, {1.0, 0.5, 0.0, -1.0, 0.0}});
   EXPECT_EQ(motion.state(-1.0), (JointState{0.1, 0.0}));

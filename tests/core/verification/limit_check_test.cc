@@ -89,6 +89,65 @@ TEST(LimitCheck, AHoldThatTheDriveCanNotHoldIsATorqueViolation) {
   EXPECT_NEAR(report.torque.value, 29.43 / 29.0, 1e-12);
 }
 
+TEST(LimitCheck, RoundingBeyondASideOfNextToNothingIsNoViolation) {
+  for (const double lower : {0.0, -1e-300, -1e-9}) {
+    SCOPED_TRACE(lower);
+    Problem problem = paper_problem({180.0, 90.0}, {180.0, 90.0});
+    problem.arms[0].torque.lower = lower;
+    std::vector<Knot> knots = resting_motion(problem, 2.0)[0].knots;
+    for (Knot& knot : knots) knot.acceleration = (lower - 9e-16) / problem.arms[0].inertia;
+    EXPECT_THAT(limits_of(problem.arms[0], knots).violations, IsEmpty());
+    for (Knot& knot : knots) knot.acceleration = (lower - 1e-3) / problem.arms[0].inertia;
+    EXPECT_EQ(limits_of(problem.arms[0], knots).violations.size(), 1u);
+  }
+}
+
+TEST(LimitCheck, AJumpOfVelocityInAShortPieceIsATorqueHoweverLateItIs) {
+  const Arm arm = weightless_problem({0.0, 0.0}, {0.0, 0.0}).arms[0];
+  for (const double at : {10.0, 1e3, 1e5}) {
+    SCOPED_TRACE(at);
+    std::vector<Knot> knots = {{at, 0.5, 1.0, 0.0, 0.0}};
+    constexpr double kStep = 2e-7;
+    constexpr double kFaster = 1e-4;  // rad/s in each piece, 0.05 rad/s in all
+    for (int k = 0; k < 500; ++k) {
+      const Knot& last = knots.back();
+      const double next = last.time + kStep;
+      const double way = (last.velocity + 0.5 * kFaster) * (next - last.time);
+      knots.push_back({next, last.position + way, last.velocity + kFaster, 0.0, 0.0});
+    }
+    const LimitReport report = limits_of(arm, knots);
+    ASSERT_FALSE(report.violations.empty());
+    EXPECT_EQ(report.violations.back().kind, ViolationKind::kTorque);
+  }
+}
+
+TEST(LimitCheck, ALeapInAShortPieceIsAVelocityHoweverLateItIs) {
+  const Arm arm = weightless_problem({0.0, 0.0}, {0.0, 0.0}).arms[0];
+  for (const double at : {10.0, 500.0, 1e3}) {
+    SCOPED_TRACE(at);
+    const double after = at + 1.02e-12;
+    const LimitReport report =
+        limits_of(arm, {{0.0, 0.1, 0.0, 0.0, 0.0}, {at, 0.1, 0.0, 0.0, 0.0}, {after, 0.8, 0.0, 0.0, 0.0}});
+    ASSERT_FALSE(report.violations.empty());
+    EXPECT_EQ(report.violations.front().kind, ViolationKind::kVelocity);
+  }
+}
+
+TEST(LimitCheck, AFastVelocityIsNotExcusedByRounding) {
+  Arm arm = weightless_problem({0.0, 0.0}, {0.0, 0.0}).arms[0];
+  const double speed = 1.001 * arm.velocity.upper;
+  arm.torque = {-1e12, 1e12};
+  const double at = 1e6;
+  const double after = at + 1e-7;
+  const double mean = 15.0 / 8.0 * (speed - arm.velocity.upper) + arm.velocity.upper;
+  const double start = 0.1;
+  const double end = start + mean * (after - at);
+  const LimitReport report =
+      limits_of(arm, {{at, start, arm.velocity.upper, 0.0, 0.0}, {after, end, arm.velocity.upper, 0.0, 0.0}});
+  ASSERT_FALSE(report.violations.empty());
+  EXPECT_EQ(report.violations.front().kind, ViolationKind::kVelocity);
+}
+
 TEST(LimitCheck, AnExhaustedBudgetIsNotAProof) {
   const Problem problem = weightless_problem({20.0, 90.0}, {60.0, 90.0});
   const std::vector<Knot> knots = parabolic_motion(problem, {0.0, 0.0})[0].knots;

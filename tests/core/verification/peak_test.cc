@@ -14,7 +14,7 @@ TEST(Share, BySideComparesWithTheLimitOfThatSide) {
   const Share share = Share::by_side({-2.0, 4.0});
   EXPECT_DOUBLE_EQ(share.of(2.0), 0.5);
   EXPECT_DOUBLE_EQ(share.of(-2.0), 1.0);
-  EXPECT_DOUBLE_EQ(share.of(-3.0), 1.5);
+  EXPECT_DOUBLE_EQ(share.of(-3.0), 1.0 + 1.0 / 3.0) << "outside, half the width counts";
   EXPECT_DOUBLE_EQ(share.of(0.0), 0.0);
 }
 
@@ -30,6 +30,23 @@ TEST(Share, LimitsWithoutZeroAreJudgedFromTheirMiddle) {
   EXPECT_DOUBLE_EQ(share.of(2.0), 1.0);
   EXPECT_DOUBLE_EQ(share.of(6.0), 1.0);
   EXPECT_DOUBLE_EQ(share.of(0.0), 2.0);
+}
+
+TEST(Share, ASideOfNextToNothingDoesNotMagnifyRounding) {
+  for (const double lower : {0.0, -1e-300, -1e-9}) {
+    SCOPED_TRACE(lower);
+    const Share share = Share::by_side({lower, 60.0});
+    EXPECT_NEAR(share.of(lower - 9e-16), 1.0, 1e-15);
+    EXPECT_NEAR(share.of(lower - 0.3), 1.01, 1e-9);
+    EXPECT_DOUBLE_EQ(share.of(30.0), 0.5);
+    EXPECT_EQ(share.of(0.0), 0.0);
+  }
+}
+
+TEST(Share, OneInfiniteSideDoesNotExcuseTheOther) {
+  EXPECT_DOUBLE_EQ(Share::by_side({-1.0, kInfinity}).of(-5.0), 5.0);
+  EXPECT_DOUBLE_EQ(Share::by_side({-kInfinity, 2.0}).of(3.0), 1.5);
+  EXPECT_GT(Share::by_side({0.0, kInfinity}).of(-0.1), 1.01);
 }
 
 TEST(Share, FromMiddleIsOneAtBothEnds) {

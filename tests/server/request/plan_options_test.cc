@@ -36,7 +36,9 @@ TEST(ReadPlanOptions, NamesEachViolationWithItsFieldPathAndRemedy) {
        },
        "options.methods", "has 17 entries"},
       {"period negative", [](auto& r) { r.mutable_options()->set_knot_period_s(-0.01); }, "options.knot_period_s",
-       "is -0.01, must be 0.0001 to 10 s"},
+       "is -0.01, must be 0.001 to 10 s"},
+      {"period short", [](auto& r) { r.mutable_options()->set_knot_period_s(0.999e-3); }, "options.knot_period_s",
+       "is 0.000999, must be 0.001 to 10 s"},
       {"period NaN", [](auto& r) { r.mutable_options()->set_knot_period_s(kNan); }, "options.knot_period_s", "is nan"},
       {"delay", [](auto& r) { r.mutable_options()->set_max_start_delay_s(-1.0); }, "options.max_start_delay_s",
        "is -1"},
@@ -76,7 +78,7 @@ TEST(ReadPlanOptions, TakesEveryOptionToItsPlace) {
   options.set_seed(77);
   options.set_validate_only(true);
   options.add_methods(wire::METHOD_STATE_TIME);
-  options.set_knot_period_s(0.002);
+  options.set_knot_period_s(0.001);
   options.set_max_start_delay_s(0.0);
   const auto parsed = parse(request);
   const auto& wish = std::get<PlanWish>(parsed);
@@ -85,7 +87,7 @@ TEST(ReadPlanOptions, TakesEveryOptionToItsPlace) {
   EXPECT_EQ(wish.problem.options.seed, 77u);
   EXPECT_TRUE(wish.validate_only);
   EXPECT_EQ(wish.problem.options.methods, std::vector<Method>{Method::kStateTime});
-  EXPECT_EQ(wish.problem.options.knot_period, 0.002);
+  EXPECT_EQ(wish.problem.options.knot_period, 0.001);
   EXPECT_EQ(wish.problem.options.max_start_delay, 0.0);
 }
 
