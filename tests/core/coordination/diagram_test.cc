@@ -147,29 +147,44 @@ TEST(ForbiddenDelays, EqualABruteForceScanOnRandomScenes) {
   }
 }
 
+/// Every safe interval between forbidden ones is wide enough to be meant and free in its middle.
+void expect_no_holes(const Problem& problem) {
+  const Pair pair(problem);
+  if (pair.profiles.size() != 2) return;
+  const ForbiddenSet forbidden(problem, problem.options.clearance);
+  const IntervalSet delays = forbidden_delays(forbidden, pair.profiles[0], pair.profiles[1], Budget()).value();
+  const double longest = std::max(pair.profiles[0].duration(), pair.profiles[1].duration());
+  for (const Interval& safe : delays.complement({-kInfinity, kInfinity}).intervals()) {
+    if (!std::isfinite(safe.lower) || !std::isfinite(safe.upper)) continue;
+    EXPECT_GT(safe.length(), 1.9e-4 * longest);
+    const double delay = 0.5 * (safe.lower + safe.upper);
+    for (int i = 0; i <= 4000; ++i) {
+      const double time = -longest + 3.0 * longest * i / 4000.0;
+      ASSERT_FALSE(forbidden.contains(pair.profiles[0].at(time).position, pair.profiles[1].at(time - delay).position))
+          << "delay " << delay;
+    }
+  }
+}
+
 TEST(ForbiddenDelays, LeaveNoHolesWhereOneArmIsMuchSlower) {
   // A slow arm's slices are short in time: neighbouring ones forbid delays that hardly overlap.
   for (int scene = 0; scene < 400; ++scene) {
+    SCOPED_TRACE(scene);
     Problem problem = random_problem(scene);
-    const int slow = scene % 2;
-    problem.arms[slow].velocity = {-0.05 * (1 + scene % 7), 0.05 * (1 + scene % 7)};
-    const Pair pair(problem);
-    if (pair.profiles.size() != 2) continue;
-    const ForbiddenSet forbidden(problem, problem.options.clearance);
-    const IntervalSet safe = forbidden_delays(forbidden, pair.profiles[0], pair.profiles[1], Budget())
-                                 .value()
-                                 .complement({-kInfinity, kInfinity});
-    const double longest = std::max(pair.profiles[0].duration(), pair.profiles[1].duration());
-    for (const Interval& interval : safe.intervals()) {
-      if (!std::isfinite(interval.lower) || !std::isfinite(interval.upper)) continue;
-      EXPECT_GT(interval.length(), 1e-4 * longest);
-      const double delay = 0.5 * (interval.lower + interval.upper);
-      for (int i = 0; i <= 4000; ++i) {
-        const double time = -longest + 3.0 * longest * i / 4000.0;
-        ASSERT_FALSE(forbidden.contains(pair.profiles[0].at(time).position, pair.profiles[1].at(time - delay).position))
-            << "scene " << scene << " delay " << delay;
-      }
-    }
+    problem.arms[scene % 2].velocity = {-0.05 * (1 + scene % 7), 0.05 * (1 + scene % 7)};
+    expect_no_holes(problem);
+  }
+}
+
+TEST(ForbiddenDelays, LeaveNoHolesWhereOneArmIsMuchHeavierAndCarriesABeam) {
+  for (const double inertia : {3e3, 1e4, 3e4, 1e5}) {
+    SCOPED_TRACE(inertia);
+    Problem problem = paper_problem({20, 70}, {60, 20}, 0.05, 0.01);
+    problem.arms[0].inertia = inertia;
+    const Eigen::Isometry3d pose =
+        Eigen::Translation3d(6.0, 0.0, 0.0) * Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ());
+    problem.objects = {{"beam", {{-0.6, 0, 0}, {0.6, 0, 0}, 0.1}, AttachedPlacement{0, pose, 0.0}}};
+    expect_no_holes(problem);
   }
 }
 
