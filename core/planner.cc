@@ -118,8 +118,7 @@ class Run {
     if (!may_search()) return std::nullopt;
     const auto start = Budget::Clock::now();
     const SearchResult result =
-        search_state_time(problem_, {&systems_[0], &systems_[1]}, problem_.options.clearance + kPlanningMargin,
-                          kDefaultEvaluationLimit, budget_);
+        search_state_time(problem_, {&systems_[0], &systems_[1]}, clearance(), kDefaultEvaluationLimit, budget_);
     statistics_.fallback_seconds = seconds_since(start);
     statistics_.fallback_evaluation_count = result.evaluation_count;
     std::ostringstream line;
