@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <sstream>
 
 #include "core/coordination/diagram.h"
@@ -28,13 +29,6 @@ constexpr double kAtBound = 1e-9;
 
 double seconds_since(Budget::Clock::time_point start) {
   return std::chrono::duration<double>(Budget::Clock::now() - start).count();
-}
-
-/// When an arm first moves, s; 0 if it never does.
-double first_start(const std::vector<TimedProfile>& motions) {
-  const auto moves = [](const TimedProfile& motion) { return motion.profile.direction() != 0; };
-  const auto first = std::find_if(motions.begin(), motions.end(), moves);
-  return first == motions.end() ? 0.0 : first->start_time;
 }
 
 /// One planning run: its problem, what was found out so far, and what it cost.
@@ -127,11 +121,6 @@ class Run {
          << (result.budget_ran_out ? ", stopped by the budget" : "");
     tried_.push_back(line.str());
     if (!result.schedule) return std::nullopt;
-    const double longest_wait = std::max(first_start(result.schedule->front()), first_start(result.schedule->back()));
-    if (longest_wait > problem_.options.max_start_delay) {
-      tried_.push_back("the schedule found has an arm wait longer than the largest start delay allowed");
-      return std::nullopt;
-    }
     return verified(Method::kStateTime, result.duration, *result.schedule);
   }
 
@@ -149,6 +138,10 @@ class Run {
     plan.method = method;
     for (int i = 0; i < kArmCount; ++i) {
       plan.trajectory[i] = play(arms_[i], systems_[i], schedule[i], duration, problem_.options.knot_period);
+    }
+    if (std::max(plan.trajectory[0].start_time, plan.trajectory[1].start_time) > problem_.options.max_start_delay) {
+      tried_.push_back("the schedule found has an arm wait longer than the largest start delay allowed");
+      return std::nullopt;
     }
     const auto start = Budget::Clock::now();
     // A search may have used up the budget; proving what it found takes milliseconds.

@@ -21,7 +21,6 @@ class Budget {
 
   bool cancelled() const { return cancelled_ && cancelled_(); }
   bool exhausted() const { return cancelled() || (deadline_ != Clock::time_point::max() && Clock::now() >= deadline_); }
-  Clock::time_point deadline() const { return deadline_; }
 
   /// For a short last step that is worth doing, as long as the caller still wants the answer: at least until `grace`
   /// from now.

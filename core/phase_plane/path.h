@@ -41,7 +41,8 @@ class Path {
   /// Whether driving or braking from x to x + change gains or loses energy that shows beside `energy`. Between two
   /// close zeros of an acceleration it need not, and then the arc is the velocity limit to rounding.
   bool work_shows(ArcKind kind, double x, double change, double energy) const {
-    return std::abs(work(kind, x, change)) > 1e-12 * energy;
+    constexpr double kShowing = 1e-12;  // of the energy: some thousand roundings of it
+    return std::abs(work(kind, x, change)) > kShowing * energy;
   }
 
   /// Energy at the velocity limit; may be infinite.
