@@ -31,6 +31,10 @@ InfeasibleReason reason_of(BlockReason reason) {
       return InfeasibleReason::kStartNotHoldable;
     case BlockReason::kGoalNotHoldable:
       return InfeasibleReason::kGoalNotHoldable;
+    case BlockReason::kStartTooFast:
+    case BlockReason::kGoalTooFast:
+    case BlockReason::kVelocityLimit:
+      return InfeasibleReason::kVelocityLimit;
     case BlockReason::kStalls:
     case BlockReason::kCannotBrake:
       return InfeasibleReason::kTorqueTooSmall;
@@ -111,8 +115,9 @@ Infeasible refuse_blocked(const Arm& arm, const SingleJointArm& system, const Bl
   if (blocked.reason == BlockReason::kStartOutsideRange || blocked.reason == BlockReason::kGoalOutsideRange) {
     return outside_range(arm, blocked);
   }
-  const double needed = system.torque(blocked.position, 0.0);
-  const double available = blocked.extreme == Extreme::kLowest ? arm.torque.lower : arm.torque.upper;
+  const Interval limits = torque_limits(arm.torque, blocked.position, blocked.velocity);
+  const double needed = system.torque({blocked.position, blocked.velocity}, 0.0);
+  const double available = blocked.extreme == Extreme::kLowest ? limits.lower : limits.upper;
   Evidence evidence;
   evidence.arm = arm.name;
   evidence.position = blocked.position;

@@ -73,7 +73,7 @@ class Projection {
 
   std::optional<IntervalSet> run() {
     stand_still();
-    if (first_.direction() != 0 && !subdivide()) return std::nullopt;
+    if (!first_.stands_still() && !subdivide()) return std::nullopt;
     return polished();
   }
 
@@ -96,7 +96,7 @@ class Projection {
     double from_time = 0.0;
     for (int i = 1; i <= kFirstCells; ++i) {
       const double to = first_.start() + (first_.goal() - first_.start()) * i / kFirstCells;
-      const double to_time = first_.time_at(to);
+      const double to_time = first_.time_at(first_.legs().front(), to);
       cells.push_back({from, to, from_time, to_time});
       from = to;
       from_time = to_time;
@@ -122,7 +122,7 @@ class Projection {
 
   void split(const Cell& cell, std::vector<Cell>& halves) {
     const double middle = cell.middle();
-    const double middle_time = first_.time_at(middle);
+    const double middle_time = first_.time_at(first_.legs().front(), middle);
     for (const Interval& times : times_of_second(forbidden_.slice(middle, window_))) {
       found_.push_back({middle_time - times.upper, middle_time - times.lower});
     }
@@ -194,7 +194,7 @@ class Projection {
   /// The least of sign * (delays that the slice at a position forbids) that belongs to `interval`; far above it if
   /// there is none, as beyond the tip of the set.
   double end_of_slice(double position, Interval interval, double sign) const {
-    const double time = first_.time_at(position);
+    const double time = first_.time_at(first_.legs().front(), position);
     double lowest = interval.lower + longest_;
     for (const Interval& times : times_of_second(forbidden_.slice(position, window_))) {
       const double end = sign > 0.0 ? time - times.upper : times.lower - time;

@@ -31,7 +31,7 @@ ProfileTable::ProfileTable(const Profile& profile) {
     const std::vector<JointState> states = profile.states_along(arc, pieces);
     for (int i = 0; i <= pieces; ++i) {
       const double time = arc.start_time + (arc.end_time - arc.start_time) * i / pieces;
-      const double acceleration = profile.acceleration_on(arc, states[i].position);
+      const double acceleration = profile.acceleration_on(arc, states[i]);
       knots_.push_back({time, states[i].position, states[i].velocity, acceleration, 0.0});
     }
   }

@@ -41,7 +41,7 @@ double minimum_time(const Systems& systems, const JointPair& from, const JointPa
 bool holdable(const Systems& systems, const JointPair& positions) {
   for (int arm = 0; arm < kArmCount; ++arm) {
     if (!systems[arm]->range().contains(positions[arm])) return false;
-    if (!systems[arm]->acceleration(positions[arm]).contains(0.0)) return false;
+    if (!systems[arm]->acceleration(positions[arm], 0.0).contains(0.0)) return false;
   }
   return true;
 }

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/model/torque_limit.h"
 #include "geometry/chain.h"
 #include "geometry/interval.h"
 
@@ -25,7 +26,8 @@ struct Arm {
   GravityTorque gravity;                           ///< of the arm without carried objects
   double payload_gravity = 0.0;                    ///< m/s2, strength of the field that acts on carried objects
   double payload_gravity_phase = 0.0;              ///< rad, joint position at which a point on the link's axis hangs
-  Interval torque = {0.0, 0.0};                    ///< N m, lower < upper
+  double viscous_friction = 0.0;                   ///< N m s, >= 0: torque lost per joint velocity
+  TorqueLimit torque;                              ///< of the drive, N m
   Interval velocity = {0.0, 0.0};                  ///< rad/s, lower < 0 < upper; ends may be infinite
 };
 

@@ -31,8 +31,8 @@ ArcMotion::ArcMotion(const System& system, const Arc& arc) : system_(system), ar
   away_ = from_start_ == rising ? 1.0 : -1.0;
 }
 
-double ArcMotion::acceleration(double position) const {
-  return arc_.kind == ArcKind::kCruise ? 0.0 : system_.extreme_acceleration(extreme_, position);
+double ArcMotion::acceleration(JointState state) const {
+  return arc_.kind == ArcKind::kCruise ? 0.0 : system_.extreme_acceleration(extreme_, state.position, state.velocity);
 }
 
 double ArcMotion::speed_squared(double change) const {
@@ -115,7 +115,7 @@ std::vector<JointState> ArcMotion::integrated(const JointState& from, double ste
   using State = std::array<double, 2>;
   boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
   const auto rate_of = [this](const State& state, State& rate, double) {
-    rate = {state[1], system_.extreme_acceleration(extreme_, state[0])};
+    rate = {state[1], system_.extreme_acceleration(extreme_, state[0], state[1])};
   };
   std::vector<JointState> states = {from};
   states.reserve(count + 1);

@@ -13,8 +13,8 @@ class ArcMotion {
  public:
   ArcMotion(const System& system, const Arc& arc);
 
-  /// Acceleration (rad/s2) of the arc's rule at a position; 0 for a cruise.
-  double acceleration(double position) const;
+  /// Acceleration (rad/s2) of the arc's rule in a state; 0 for a cruise.
+  double acceleration(JointState state) const;
 
   /// Time (s) from start to end by quadrature; does not use the arc's times.
   double duration() const;

@@ -20,7 +20,7 @@ class BackwardWalk {
         walk_along_limit();
         energy = limit_;
       } else if (!walk_along_braking(energy)) {
-        return Blocked{BlockReason::kCannotBrake, path_.position(x_), path_.extreme(ArcKind::kBrake)};
+        return Blocked{BlockReason::kCannotBrake, path_.position(x_), 0.0, path_.extreme(ArcKind::kBrake)};
       }
       on_limit = !on_limit;
     }

@@ -30,7 +30,7 @@ class Path {
 
   /// Forward acceleration at x while driving (kAccelerate) or braking (kBrake).
   double acceleration(ArcKind kind, double x) const {
-    return direction_ * system_.extreme_acceleration(extreme(kind), position(x));
+    return direction_ * system_.extreme_acceleration(extreme(kind), position(x), 0.0);
   }
 
   /// Energy gained from x to x + change while driving or braking.

@@ -12,54 +12,69 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+bool rises(const Arc& arc) { return arc.end.position > arc.start.position; }
+
 }  // namespace
 
-Profile::Profile(const System& system, double position) : system_(&system), start_(position), goal_(position) {}
+Profile::Profile(const System& system, double position)
+    : system_(&system), start_{position, 0.0}, goal_{position, 0.0} {}
 
 Profile::Profile(const System& system, std::vector<Arc> arcs) : system_(&system), arcs_(std::move(arcs)) {
   if (arcs_.empty()) throw std::logic_error("a profile needs at least one arc");
-  start_ = arcs_.front().start.position;
-  goal_ = arcs_.back().end.position;
-  for (Arc& arc : arcs_) {
+  start_ = arcs_.front().start;
+  goal_ = arcs_.back().end;
+  for (std::size_t i = 0; i < arcs_.size(); ++i) {
+    Arc& arc = arcs_[i];
     arc.start_time = duration_;
     duration_ += ArcMotion(*system_, arc).duration();
     arc.end_time = duration_;
+    if (i == 0 || rises(arc) != rises(arcs_[i - 1]))
+      legs_.push_back({i, i, arc.start_time, 0.0, arc.start.position, 0.0});
+    Leg& leg = legs_.back();
+    leg.last_arc = i;
+    leg.end_time = arc.end_time;
+    leg.goal = arc.end.position;
   }
 }
 
-int Profile::direction() const { return goal_ > start_ ? 1 : goal_ < start_ ? -1 : 0; }
+Interval Profile::extent() const {
+  Interval extent = {std::min(start(), goal()), std::max(start(), goal())};
+  for (const Leg& leg : legs_) extent = {std::min(extent.lower, leg.goal), std::max(extent.upper, leg.goal)};
+  return extent;
+}
 
-double Profile::acceleration_on(const Arc& arc, double position) const {
-  return ArcMotion(*system_, arc).acceleration(position);
+double Profile::acceleration_on(const Arc& arc, JointState state) const {
+  return ArcMotion(*system_, arc).acceleration(state);
 }
 
 JointState Profile::at(double time) const {
-  if (arcs_.empty() || time <= 0.0) return {start_, 0.0};
-  if (time >= duration_) return {goal_, 0.0};
+  if (arcs_.empty() || time <= 0.0) return start_;
+  if (time >= duration_) return goal_;
   const auto arc = std::find_if(arcs_.begin(), arcs_.end(), [&](const Arc& a) { return time < a.end_time; });
   return ArcMotion(*system_, *arc).at(time);
 }
 
-double Profile::time_at(double position) const {
-  if (arcs_.empty()) return 0.0;
-  const double sign = direction();
-  if (sign * (position - start_) <= 0.0) return 0.0;
-  if (sign * (goal_ - position) <= 0.0) return duration_;
-  const auto arc =
-      std::find_if(arcs_.begin(), arcs_.end(), [&](const Arc& a) { return sign * (a.end.position - position) >= 0.0; });
-  return ArcMotion(*system_, *arc).time_at(position);
+double Profile::time_at(const Leg& leg, double position) const {
+  const double sign = leg.goal > leg.start ? 1.0 : -1.0;
+  if (sign * (position - leg.start) <= 0.0) return leg.start_time;
+  if (sign * (leg.goal - position) <= 0.0) return leg.end_time;
+  std::size_t arc = leg.first_arc;
+  while (arc < leg.last_arc && sign * (arcs_[arc].end.position - position) < 0.0) ++arc;
+  return ArcMotion(*system_, arcs_[arc]).time_at(position);
 }
 
 IntervalSet Profile::times_in(Interval positions) const {
-  const bool holds_start = positions.contains(start_);
-  const bool holds_goal = positions.contains(goal_);
-  if (positions.empty() || positions.upper < std::min(start_, goal_) || positions.lower > std::max(start_, goal_)) {
-    return {};
+  if (positions.empty()) return {};
+  std::vector<Interval> times;
+  if (positions.contains(start())) times.push_back({-kInfinity, 0.0});
+  if (positions.contains(goal())) times.push_back({duration_, kInfinity});
+  for (const Leg& leg : legs_) {
+    const bool rising = leg.goal > leg.start;
+    if (positions.upper < std::min(leg.start, leg.goal) || positions.lower > std::max(leg.start, leg.goal)) continue;
+    times.push_back({time_at(leg, rising ? positions.lower : positions.upper),
+                     time_at(leg, rising ? positions.upper : positions.lower)});
   }
-  const bool rising = goal_ >= start_;
-  const double first = holds_start ? -kInfinity : time_at(rising ? positions.lower : positions.upper);
-  const double last = holds_goal ? kInfinity : time_at(rising ? positions.upper : positions.lower);
-  return IntervalSet({{first, last}});
+  return IntervalSet(std::move(times));
 }
 
 std::vector<JointState> Profile::states_along(const Arc& arc, int count) const {

@@ -8,40 +8,57 @@
 
 namespace dualarm {
 
-/// A monotone motion of one degree of freedom from rest to rest, on its own clock from 0 to duration(): arcs of extreme
-/// acceleration and of constant velocity, joined without gaps. Before 0 it stands at its start, after duration() at its
-/// goal. Refers to its System, which has to outlive it.
+/// A stretch of a profile on which it moves in one direction. Times in s on the profile's clock.
+struct Leg {
+  std::size_t first_arc = 0;  ///< index of its first arc
+  std::size_t last_arc = 0;   ///< index of its last arc
+  double start_time = 0.0;
+  double end_time = 0.0;
+  double start = 0.0;  ///< rad
+  double goal = 0.0;   ///< rad
+};
+
+/// A motion of one degree of freedom on its own clock from 0 to duration(): arcs of extreme acceleration and of
+/// constant velocity, joined without gaps, which may turn back at rest. Before 0 it stands at its start and after
+/// duration() at its goal, if it is at rest there; otherwise it is not defined outside and answers as if it stood
+/// there. Refers to its System, which has to outlive it.
 class Profile {
  public:
   /// The motion that stands still at `position`.
   Profile(const System& system, double position);
 
-  /// Arcs in order of time, each beginning in the state in which the one before ends; their times are filled in here,
-  /// by quadrature. Precondition: at least one arc, none of zero length, all in one direction, no kHold.
+  /// Arcs in order of time, each beginning in the state in which the one before ends; their times are filled in here.
+  /// Precondition: at least one arc, none of zero length, none that turns back on the way, no kHold.
   Profile(const System& system, std::vector<Arc> arcs);
 
-  double duration() const { return duration_; }  ///< s
-  double start() const { return start_; }        ///< rad
-  double goal() const { return goal_; }          ///< rad
+  double duration() const { return duration_; }        ///< s
+  JointState start_state() const { return start_; }    ///< at 0
+  JointState goal_state() const { return goal_; }      ///< at duration()
+  double start() const { return start_.position; }     ///< rad
+  double goal() const { return goal_.position; }       ///< rad
+  bool stands_still() const { return arcs_.empty(); }  ///< no time passes, nothing moves
 
-  /// +1 rising, -1 falling, 0 standing still.
-  int direction() const;
+  /// Lowest and highest position on the way, rad.
+  Interval extent() const;
 
   /// The exact motion; times on the own clock. Empty where it stands still.
   const std::vector<Arc>& arcs() const { return arcs_; }
 
-  /// Acceleration (rad/s2) that an arc's rule gives at a position.
-  double acceleration_on(const Arc& arc, double position) const;
+  /// Its stretches of one direction, in order of time. Empty where it stands still.
+  const std::vector<Leg>& legs() const { return legs_; }
+
+  /// Acceleration (rad/s2) that an arc's rule gives in a state.
+  double acceleration_on(const Arc& arc, JointState state) const;
 
   /// State at a time of the own clock, to 1e-12; clamped outside [0, duration].
   JointState at(double time) const;
 
-  /// Time (s) on the own clock at which the motion passes a position between start and goal (clamped to them), by
-  /// adaptive quadrature, to 1e-12 relative of the duration. 0 where it stands still.
-  double time_at(double position) const;
+  /// Time (s) on the own clock at which a leg passes a position between its ends (clamped to them), to 1e-12 relative
+  /// of the duration.
+  double time_at(const Leg& leg, double position) const;
 
-  /// All times of the own clock, clamped motion included, at which the position lies in the interval. Infinite ends
-  /// where the start or the goal does.
+  /// All times of the own clock, standing before and after included, at which the position lies in the interval.
+  /// Infinite ends where the start or the goal does.
   IntervalSet times_in(Interval positions) const;
 
   /// States of an arc at `count` + 1 evenly spaced times from its start to its end.
@@ -50,8 +67,9 @@ class Profile {
  private:
   const System* system_;
   std::vector<Arc> arcs_;
-  double start_ = 0.0;
-  double goal_ = 0.0;
+  std::vector<Leg> legs_;
+  JointState start_;
+  JointState goal_;
   double duration_ = 0.0;
 };
 

@@ -13,9 +13,11 @@ enum class Extreme { kLowest, kHighest };
 /// admissible, which velocities are. Knows nothing of robots; a single joint is one, an arm along a path can be.
 ///
 /// What the algorithm assumes, and tests/core/systems/system_laws.h holds every System to:
-/// - admissible accelerations at s form an interval with lower < upper that does not depend on the velocity;
-/// - specific_work is the exact integral of their ends, so that 1/2 s_dot^2 changes by it along an extremal arc;
-/// - zeros lists every sign change of an end, so that between two of them 1/2 s_dot^2 is monotone along an arc;
+/// - admissible accelerations at (s, s_dot) form an interval with lower < upper, continuous in both, smooth between
+///   bends;
+/// - where velocity_matters says no, an end is the same at every velocity of that direction, and specific_work is its
+///   exact integral over s, so that 1/2 s_dot^2 changes by it along an extremal arc;
+/// - zeros lists every sign change along s of an end at a constant velocity;
 /// - velocity limits are constant, with lower < 0 < upper.
 class System {
  public:
@@ -24,24 +26,42 @@ class System {
   /// Where s may be.
   virtual Interval range() const = 0;
 
-  /// Lowest and highest admissible acceleration at s, rad/s2.
-  virtual Interval acceleration(double s) const = 0;
-
-  /// Bounds of `acceleration` over the whole range, rad/s2.
-  virtual Interval acceleration_bounds() const = 0;
-
   /// Lowest (negative) and highest (positive) admissible velocity, rad/s; may be infinite.
   virtual Interval velocity() const = 0;
 
-  /// Integral of an end of `acceleration` from `from` to `from + change`, (rad/s)2. Keeps its digits for small change.
+  /// Lowest and highest admissible acceleration, rad/s2, at s with velocity s_dot (rad/s), which need not be
+  /// admissible.
+  virtual Interval acceleration(double s, double s_dot) const = 0;
+
+  /// Bounds of `acceleration` over the whole range and all admissible velocities, rad/s2; may be infinite where
+  /// velocities are.
+  virtual Interval acceleration_bounds() const = 0;
+
+  /// Whether an end of `acceleration` depends on the velocity while s moves in a direction (+1 or -1).
+  virtual bool velocity_matters(Extreme extreme, double direction) const = 0;
+
+  /// Whether moving in a direction (+1 or -1) leaves no more acceleration in that direction than standing still.
+  virtual bool drives_best_at_rest(double direction) const = 0;
+
+  /// Integral of an end of `acceleration` at standstill from `from` to `from + change`, (rad/s)2. Keeps its digits for
+  /// small change.
   virtual double specific_work(Extreme extreme, double from, double change) const = 0;
 
-  /// Where in `within` an end of `acceleration` changes sign, ascending.
-  virtual std::vector<double> zeros(Extreme extreme, Interval within) const = 0;
+  /// Where in `within` an end of `acceleration` at the constant velocity s_dot changes sign, ascending.
+  virtual std::vector<double> zeros(Extreme extreme, double s_dot, Interval within) const = 0;
 
-  /// An end of the admissible accelerations at s, rad/s2.
-  double extreme_acceleration(Extreme extreme, double s) const {
-    const Interval admissible = acceleration(s);
+  /// Where in `within` the accelerations have a bend as functions of s, ascending.
+  virtual std::vector<double> position_bends(Interval within) const = 0;
+
+  /// At which velocities the accelerations have a bend as functions of s_dot, ascending; standstill need not be listed.
+  virtual std::vector<double> velocity_bends() const = 0;
+
+  /// The largest -d(acceleration)/ds of either end at standstill over all s, inside the range or not, 1/s2; >= 0.
+  virtual double stiffness() const = 0;
+
+  /// An end of the admissible accelerations, rad/s2.
+  double extreme_acceleration(Extreme extreme, double s, double s_dot) const {
+    const Interval admissible = acceleration(s, s_dot);
     return extreme == Extreme::kLowest ? admissible.lower : admissible.upper;
   }
 };

@@ -22,7 +22,8 @@ class ForwardWalk {
       double x = above.from;
       while (x < above.to) {
         const std::optional<double> reached = driving_ ? drive_under(above, x) : follow(above, x);
-        if (!reached) return Blocked{BlockReason::kStalls, path_.position(stall_), path_.extreme(ArcKind::kAccelerate)};
+        if (!reached)
+          return Blocked{BlockReason::kStalls, path_.position(stall_), 0.0, path_.extreme(ArcKind::kAccelerate)};
         x = *reached;
       }
     }
@@ -103,18 +104,18 @@ std::vector<Arc> to_arcs(const Path& path, const std::vector<Stretch>& stretches
 }
 
 std::optional<Blocked> check_end(const System& system, double position, BlockReason outside, BlockReason not_holdable) {
-  if (!system.range().contains(position)) return Blocked{outside, position, Extreme::kHighest};
-  const Interval admissible = system.acceleration(position);
-  if (admissible.lower > 0.0) return Blocked{not_holdable, position, Extreme::kLowest};
-  if (admissible.upper < 0.0) return Blocked{not_holdable, position, Extreme::kHighest};
+  if (!system.range().contains(position)) return Blocked{outside, position, 0.0, Extreme::kHighest};
+  const Interval admissible = system.acceleration(position, 0.0);
+  if (admissible.lower > 0.0) return Blocked{not_holdable, position, 0.0, Extreme::kLowest};
+  if (admissible.upper < 0.0) return Blocked{not_holdable, position, 0.0, Extreme::kHighest};
   return std::nullopt;
 }
 
 bool strong(const System& system) {
   const Interval range = system.range();
-  const Interval at_start = system.acceleration(range.lower);
-  return at_start.lower < 0.0 && at_start.upper > 0.0 && system.zeros(Extreme::kLowest, range).empty() &&
-         system.zeros(Extreme::kHighest, range).empty();
+  const Interval at_start = system.acceleration(range.lower, 0.0);
+  return at_start.lower < 0.0 && at_start.upper > 0.0 && system.zeros(Extreme::kLowest, 0.0, range).empty() &&
+         system.zeros(Extreme::kHighest, 0.0, range).empty();
 }
 
 /// Duration of a double integrator that may use the range's best accelerations everywhere: a bound for every motion.
@@ -165,7 +166,10 @@ Blocked judged(Blocked blocked, const System& system, const Path& path, double s
 
 }  // namespace
 
-std::variant<FastestMotion, Blocked> fastest_motion(const System& system, double start, double goal) {
+std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointState start_state, JointState goal_state,
+                                                    Swings /*swings*/) {
+  const double start = start_state.position;
+  const double goal = goal_state.position;
   if (auto blocked = check_end(system, start, BlockReason::kStartOutsideRange, BlockReason::kStartNotHoldable)) {
     return *blocked;
   }
@@ -178,10 +182,10 @@ std::variant<FastestMotion, Blocked> fastest_motion(const System& system, double
   // At the very limit of what can be held the motion would take for ever.
   const auto judge = [&](const Blocked& blocked) { return judged(blocked, system, path, start, goal); };
   if (!(path.acceleration(ArcKind::kAccelerate, 0.0) > 0.0)) {
-    return judge({BlockReason::kStalls, start, path.extreme(ArcKind::kAccelerate)});
+    return judge({BlockReason::kStalls, start, 0.0, path.extreme(ArcKind::kAccelerate)});
   }
   if (!(path.acceleration(ArcKind::kBrake, path.length()) < 0.0)) {
-    return judge({BlockReason::kCannotBrake, goal, path.extreme(ArcKind::kBrake)});
+    return judge({BlockReason::kCannotBrake, goal, 0.0, path.extreme(ArcKind::kBrake)});
   }
   const auto ceiling = braking_ceiling(path);
   if (const auto* blocked = std::get_if<Blocked>(&ceiling)) return judge(*blocked);

@@ -14,9 +14,10 @@ constexpr double kPositionRounding = 1e-14;
 /// Number of intervals of an arc up to which it may double.
 constexpr int kMostIntervals = 16384;
 
-/// Acceleration and position of the quintic in the middle between two knots.
+/// State and acceleration of the quintic in the middle between two knots.
 struct Middle {
   double position;
+  double velocity;
   double acceleration;
 };
 
@@ -25,6 +26,8 @@ Middle middle_of(const Knot& from, const Knot& to) {
   const double velocity_change = to.velocity - from.velocity;
   return {0.5 * (from.position + to.position) - 5.0 * h / 32.0 * velocity_change +
               h * h / 64.0 * (from.acceleration + to.acceleration),
+          1.875 * (to.position - from.position) / h - 0.4375 * (from.velocity + to.velocity) +
+              h / 32.0 * (to.acceleration - from.acceleration),
           1.5 * velocity_change / h - 0.25 * (from.acceleration + to.acceleration)};
 }
 
@@ -58,11 +61,11 @@ class Player {
   }
 
   void add_rest(double position, double time) {
-    played_.knots.push_back({time, position, 0.0, 0.0, system_.torque(position, 0.0)});
+    played_.knots.push_back({time, position, 0.0, 0.0, system_.torque({position, 0.0}, 0.0)});
   }
 
   ArmTrajectory finish(const std::vector<TimedProfile>& motions) {
-    const auto moves = [](const TimedProfile& motion) { return motion.profile.direction() != 0; };
+    const auto moves = [](const TimedProfile& motion) { return !motion.profile.stands_still(); };
     const auto first = std::find_if(motions.begin(), motions.end(), moves);
     const auto last = std::find_if(motions.rbegin(), motions.rend(), moves);
     if (first != motions.end()) {
@@ -89,10 +92,9 @@ class Player {
     std::vector<Knot> knots;
     knots.reserve(count + 1);
     for (const JointState& state : profile.states_along(arc, count)) {
-      const double acceleration = profile.acceleration_on(arc, state.position);
+      const double acceleration = profile.acceleration_on(arc, state);
       const double time = placed.start_time + step * static_cast<double>(knots.size());
-      knots.push_back(
-          {time, state.position, state.velocity, acceleration, system_.torque(state.position, acceleration)});
+      knots.push_back({time, state.position, state.velocity, acceleration, system_.torque(state, acceleration)});
     }
     knots.back().time = placed.end_time;
     return knots;
@@ -102,9 +104,10 @@ class Player {
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
       const Middle middle = middle_of(knots[i], knots[i + 1]);
       const double h = knots[i + 1].time - knots[i].time;
-      const double scale = system_.acceleration(middle.position).length();
+      const double scale = system_.acceleration(middle.position, middle.velocity).length();
       const double rounding = kPositionRounding * (1.0 + std::abs(middle.position)) / (h * h);
-      const double error = std::abs(middle.acceleration - profile.acceleration_on(arc, middle.position));
+      const double error =
+          std::abs(middle.acceleration - profile.acceleration_on(arc, {middle.position, middle.velocity}));
       if (error > kInterpolationError * scale + rounding) return false;
     }
     return true;

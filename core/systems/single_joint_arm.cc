@@ -17,20 +17,21 @@ void append_repeated(std::vector<double>& positions, double base, double period,
 
 SingleJointArm::SingleJointArm(const Arm& arm)
     : inertia_(arm.inertia),
+      friction_(arm.viscous_friction),
       gravity_(arm.gravity),
-      torque_(arm.torque),
+      torque_(std::get<Interval>(arm.torque)),
       range_(arm.joint_range),
       velocity_(arm.velocity) {}
 
-Interval SingleJointArm::acceleration(double s) const {
-  const double held = gravity_.amplitude * std::sin(s - gravity_.phase);
+Interval SingleJointArm::acceleration(double s, double s_dot) const {
+  const double held = gravity_.amplitude * std::sin(s - gravity_.phase) + friction_ * s_dot;
   return {(torque_.lower - held) / inertia_, (torque_.upper - held) / inertia_};
 }
 
 Interval SingleJointArm::acceleration_bounds() const {
-  Interval bounds = acceleration(range_.lower);
+  Interval bounds = acceleration(range_.lower, 0.0);
   const auto include = [&](double s) {
-    const Interval here = acceleration(s);
+    const Interval here = acceleration(s, 0.0);
     bounds = {std::min(bounds.lower, here.lower), std::max(bounds.upper, here.upper)};
   };
   include(range_.upper);
@@ -47,7 +48,7 @@ double SingleJointArm::specific_work(Extreme extreme, double from, double change
   return (limit(extreme) * change + gravity_.amplitude * cosine_change) / inertia_;
 }
 
-std::vector<double> SingleJointArm::zeros(Extreme extreme, Interval within) const {
+std::vector<double> SingleJointArm::zeros(Extreme extreme, double /*s_dot*/, Interval within) const {
   const double ratio = limit(extreme) / gravity_.amplitude;
   if (!(std::abs(ratio) < 1.0)) return {};
   std::vector<double> found;
@@ -59,8 +60,19 @@ std::vector<double> SingleJointArm::zeros(Extreme extreme, Interval within) cons
   return found;
 }
 
-double SingleJointArm::torque(double position, double acceleration) const {
-  return inertia_ * acceleration + gravity_.amplitude * std::sin(position - gravity_.phase);
+bool SingleJointArm::velocity_matters(Extreme /*extreme*/, double /*direction*/) const { return friction_ > 0.0; }
+
+bool SingleJointArm::drives_best_at_rest(double /*direction*/) const { return true; }
+
+std::vector<double> SingleJointArm::position_bends(Interval /*within*/) const { return {}; }
+
+std::vector<double> SingleJointArm::velocity_bends() const { return {}; }
+
+double SingleJointArm::stiffness() const { return std::abs(gravity_.amplitude) / inertia_; }
+
+double SingleJointArm::torque(JointState state, double acceleration) const {
+  return inertia_ * acceleration + friction_ * state.velocity +
+         gravity_.amplitude * std::sin(state.position - gravity_.phase);
 }
 
 }  // namespace dualarm

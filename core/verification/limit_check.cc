@@ -26,7 +26,7 @@ Quantity velocity_along(const Quintic& piece, double most_rounding) {
 class Forgiveness {
  public:
   Forgiveness(const Arm& arm, const std::vector<Knot>& knots)
-      : free_(kTorqueTolerance * Share::by_side(arm.torque).unit()) {
+      : free_(kTorqueTolerance * Share::by_side(torque_bounds(arm.torque)).unit()) {
     for (const Knot& knot : knots) left_ = std::max(left_, kMostForgivenVelocity * std::abs(knot.velocity));
   }
 
@@ -83,7 +83,8 @@ LimitReport check_limits(const Arm& arm, const std::vector<Knot>& knots, const I
               kStateTolerance / Share::from_middle(arm.joint_range).unit());
   Limit velocity(ViolationKind::kVelocity, "velocity", "rad/s", arm.velocity, Share::by_side(arm.velocity),
                  kVelocityTolerance);
-  Limit torque(ViolationKind::kTorque, "torque", "N m", arm.torque, Share::by_side(arm.torque), kTorqueTolerance);
+  Limit torque(ViolationKind::kTorque, "torque", "N m", torque_bounds(arm.torque),
+               Share::by_side(torque_bounds(arm.torque)), kTorqueTolerance);
 
   for (const Knot& knot : knots) {
     range.search.visit(knot.time, knot.position);

@@ -41,7 +41,7 @@ TorqueColumnReport check_torque_column(const Arm& arm, const std::vector<Knot>& 
                             std::max(mismatch(knots[k], needed), mismatch(knots[k + 1], needed));
     report.max_position_error = std::max(report.max_position_error, departure(residual, h, needed));
   }
-  const double tolerance = kTorqueColumnTolerance * arm.torque.length();
+  const double tolerance = kTorqueColumnTolerance * torque_bounds(arm.torque).length();
   const Knot& knot = knots[worst];
   if (mismatch(knot, needed) > tolerance) {
     const double value = needed.at(knot.position, knot.acceleration);

@@ -32,8 +32,8 @@ Base read_base(const wire::Base& message, const Field& field) {
 }
 
 void check_acceleration(const Arm& arm, const Field& field) {
-  if (arm.torque.length() <= 0.0 || arm.inertia < ranges::kTotalInertia.min) return;
-  const double scale = arm.torque.length() / arm.inertia;
+  if (torque_bounds(arm.torque).length() <= 0.0 || arm.inertia < ranges::kTotalInertia.min) return;
+  const double scale = torque_bounds(arm.torque).length() / arm.inertia;
   if (scale < ranges::kAccelerationScale.min || scale > ranges::kAccelerationScale.max) {
     field.complain(
         "torque_limit",

@@ -132,7 +132,7 @@ TEST(Planner, DoesNotCallImpossibleWhatASwingMightDo) {
   // theory.md, section 1.3: no monotone motion lifts a hanging arm at T/G = 0.60, a back-swing does.
   Problem problem = paper_problem({0, 100}, {180, 100}, 0.05);
   problem.arms[1].base.position.x() = 20.0;
-  problem.arms[0].torque = {-0.6 * 29.43, 0.6 * 29.43};
+  problem.arms[0].torque = Interval{-0.6 * 29.43, 0.6 * 29.43};
   EXPECT_EQ(must_refuse(problem).reason, InfeasibleReason::kTorqueTooSmall);
   problem.arms[0].joint_range = {-4.0, 4.0};
   const Outcome outcome = plan(problem, Budget());
@@ -167,7 +167,7 @@ TEST(Planner, PlaysTinyMovesAndDenseKnotsWithinTheTorqueLimits) {
   for (Arm& arm : dense.arms) {
     arm.inertia = 1.6e7;
     arm.gravity.amplitude = 0.0;
-    arm.torque = {-1.2e5, 1.2e5};
+    arm.torque = Interval{-1.2e5, 1.2e5};
     arm.velocity = {-0.0733, 0.0733};
   }
   must_plan(dense);
@@ -265,7 +265,7 @@ TEST(Planner, RefusesStatesOutsideTheRange) {
 
 TEST(Planner, RefusesWhatTheDriveCannotHoldOrPass) {
   Problem problem = paper_problem({45, 100}, {80, 140});
-  problem.arms[0].torque = {-20.0, 20.0};
+  problem.arms[0].torque = Interval{-20.0, 20.0};
   const Infeasible start = must_refuse(problem);
   EXPECT_EQ(start.reason, InfeasibleReason::kStartNotHoldable);
   EXPECT_NEAR(*start.evidence.needed_torque, 29.43 * std::sin(0.25 * kPi), 1e-9);

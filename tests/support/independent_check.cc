@@ -71,9 +71,9 @@ void check_dynamics(const Arm& arm, const std::vector<Knot>& knots, std::size_t 
 }
 
 void check_limits(const Arm& arm, const std::vector<Knot>& knots, std::vector<std::string>& complaints) {
-  const double torque_slack = kShareTolerance * arm.torque.length();
+  const double torque_slack = kShareTolerance * torque_bounds(arm.torque).length();
   for (const Knot& knot : knots) {
-    if (!(knot.torque >= arm.torque.lower - torque_slack && knot.torque <= arm.torque.upper + torque_slack)) {
+    if (!(knot.torque >= std::get<Interval>(arm.torque).lower - torque_slack && knot.torque <= std::get<Interval>(arm.torque).upper + torque_slack)) {
       complaints.push_back(words(arm.name, ": torque ", knot.torque, " N m at ", knot.time, " s"));
     }
     if (!(knot.velocity >= arm.velocity.lower - kStateTolerance &&

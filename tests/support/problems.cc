@@ -37,7 +37,7 @@ Arm random_arm(Dice& dice, const std::string& name) {
   const double strength = is_weak
                               ? arm.gravity.amplitude * dice.between(0.5, 1.1)
                               : arm.gravity.amplitude * dice.between(1.2, 3.0) + arm.inertia * dice.between(0.1, 1.0);
-  arm.torque = {-strength * dice.between(0.85, 1.15), strength};
+  arm.torque = Interval{-strength * dice.between(0.85, 1.15), strength};
   arm.velocity = {-dice.between(0.5, 3.0), dice.between(0.5, 3.0)};
   if (dice.happens(0.2)) {
     arm.velocity = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -96,7 +96,7 @@ Problem paper_problem(std::array<double, kArmCount> start_degrees, std::array<do
     arm.radius = radius;
     arm.inertia = 39.0;
     arm.gravity = paper_gravity(1.0, 6.0);
-    arm.torque = {-60.0, 60.0};
+    arm.torque = Interval{-60.0, 60.0};
     arm.velocity = {-2.0, 2.0};
     problem.tasks[i] = {{start_degrees[i] * kPi / 180.0, 0.0}, {goal_degrees[i] * kPi / 180.0, 0.0}};
   }

@@ -14,7 +14,7 @@ TEST(RestValidity, WantsClearanceAndStatesThatCanBeHeld) {
   const SearchSpace strong(problem);
   EXPECT_TRUE(strong.information->isValid(strong.state(90.0, 90.0, 0.0).get()));
   EXPECT_FALSE(strong.information->isValid(strong.state(30.0, 30.0, 0.0).get()));
-  problem.arms[1].torque = {-25.0, 25.0};  // gravity needs 29.43 at 90 degrees
+  problem.arms[1].torque = Interval{-25.0, 25.0};  // gravity needs 29.43 at 90 degrees
   const SearchSpace weak(problem);
   EXPECT_FALSE(weak.information->isValid(weak.state(90.0, 90.0, 0.0).get()));
   EXPECT_TRUE(weak.information->isValid(weak.state(90.0, 170.0, 0.0).get()));

@@ -11,7 +11,7 @@ Problem paper_problem(JointPair from_degrees, JointPair to_degrees, double radiu
     arm.radius = radius;
     arm.inertia = 39.0;
     arm.gravity = paper_gravity(1.0, 6.0);
-    arm.torque = {-60.0, 60.0};
+    arm.torque = Interval{-60.0, 60.0};
     arm.velocity = {-2.0, 2.0};
     problem.tasks[i] = {{from_degrees[i] * kDegree, 0.0}, {to_degrees[i] * kDegree, 0.0}};
   }

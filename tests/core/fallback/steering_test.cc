@@ -36,7 +36,7 @@ TEST(Steering, FindsNoWayOutOfTheJointRange) {
 
 TEST(Steering, OfAWeakArmPromisesNoMinimum) {
   Problem problem = retreat_problem();
-  problem.arms[0].torque = {-25.0, 25.0};  // gravity needs up to 29.43
+  problem.arms[0].torque = Interval{-25.0, 25.0};  // gravity needs up to 29.43
   const ArmSystems arms(problem);
   const JointPair from = {10.0 * kDegree, 0.5};
   const JointPair to = {20.0 * kDegree, 0.5};
@@ -46,7 +46,7 @@ TEST(Steering, OfAWeakArmPromisesNoMinimum) {
 
 TEST(Steering, HoldsOnlyWhereTorqueSufficesAndInsideTheRange) {
   Problem problem = retreat_problem();
-  problem.arms[0].torque = {-25.0, 25.0};
+  problem.arms[0].torque = Interval{-25.0, 25.0};
   const ArmSystems arms(problem);
   EXPECT_TRUE(holdable(arms.both(), {0.2, 0.5}));
   EXPECT_FALSE(holdable(arms.both(), {90.0 * kDegree, 0.5}));

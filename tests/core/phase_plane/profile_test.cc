@@ -28,7 +28,8 @@ class ProfileTest : public testing::TestWithParam<std::pair<double, double>> {
 TEST_P(ProfileTest, PositionAndTimeAreInverse) {
   for (int i = 0; i <= 200; ++i) {
     const double time = profile_.duration() * i / 200.0;
-    EXPECT_NEAR(profile_.time_at(profile_.at(time).position), time, 2e-8 * profile_.duration()) << time;
+    EXPECT_NEAR(profile_.time_at(profile_.legs().front(), profile_.at(time).position), time, 2e-8 * profile_.duration())
+        << time;
   }
 }
 
@@ -51,7 +52,7 @@ TEST_P(ProfileTest, IsInAnIntervalForAsLongAsItsClockSays) {
   const auto [low, high] = std::minmax({middle, profile_.goal()});
   const IntervalSet times = profile_.times_in({low, high});
   ASSERT_EQ(times.intervals().size(), 1U);
-  EXPECT_NEAR(times.intervals()[0].lower, profile_.time_at(middle), 1e-12);
+  EXPECT_NEAR(times.intervals()[0].lower, profile_.time_at(profile_.legs().front(), middle), 1e-12);
   EXPECT_EQ(times.intervals()[0].upper, kInfinity);
   EXPECT_TRUE(profile_.times_in({20.0, 21.0}).empty());
   EXPECT_EQ(profile_.times_in({-20.0, 20.0}).intervals(), (std::vector<Interval>{{-kInfinity, kInfinity}}));
@@ -81,8 +82,8 @@ TEST(Profile, FollowsTheExactMotionWhereItNearlyStalls) {
     const std::vector<JointState> states = profile.states_along(arc, 200);
     for (int i = 0; i < 200; ++i) {
       EXPECT_GE(states[i + 1].position, states[i].position);
-      EXPECT_NEAR(profile.time_at(states[i].position), arc.start_time + (arc.end_time - arc.start_time) * i / 200.0,
-                  1e-6);
+      EXPECT_NEAR(profile.time_at(profile.legs().front(), states[i].position),
+                  arc.start_time + (arc.end_time - arc.start_time) * i / 200.0, 1e-6);
     }
   }
 }

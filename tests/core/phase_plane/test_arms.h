@@ -11,7 +11,7 @@ inline Arm pendulum(double inertia, double gravity, double torque) {
   arm.length = 1.0;
   arm.inertia = inertia;
   arm.gravity = {gravity, 0.0};
-  arm.torque = {-torque, torque};
+  arm.torque = Interval{-torque, torque};
   arm.joint_range = {-10.0, 10.0};
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   arm.velocity = {-kInfinity, kInfinity};

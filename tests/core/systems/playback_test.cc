@@ -74,7 +74,7 @@ TEST_F(Playback, JumpsInTorqueOnlyAtRepeatedTimes) {
   for (std::size_t i = 0; i + 1 < played.knots.size(); ++i) {
     const Knot& from = played.knots[i];
     const Knot& to = played.knots[i + 1];
-    EXPECT_DOUBLE_EQ(from.torque, system_.torque(from.position, from.acceleration));
+    EXPECT_DOUBLE_EQ(from.torque, system_.torque({from.position, 0.0}, from.acceleration));
     if (from.time == to.time) {
       EXPECT_EQ(from.position, to.position);
       EXPECT_EQ(from.velocity, to.velocity);

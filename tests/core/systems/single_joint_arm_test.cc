@@ -16,7 +16,7 @@ struct SingleJointArms {
                                                              {0.5, -4.0, 2.0, -5.0, 3.0}}) {
       Arm arm = pendulum(inertia, gravity, 1.0);
       arm.gravity.phase = phase;
-      arm.torque = {low, high};
+      arm.torque = Interval{low, high};
       arm.joint_range = {-4.0, 5.0};
       systems.push_back(std::make_shared<SingleJointArm>(arm));
     }
@@ -30,13 +30,13 @@ TEST(SingleJointArm, NeedsTheTorqueOfItsEquationOfMotion) {
   Arm arm = pendulum(4.0, 3.0, 9.0);
   arm.gravity.phase = 0.5;
   const SingleJointArm system(arm);
-  EXPECT_DOUBLE_EQ(system.torque(1.2, -2.0), 4.0 * -2.0 + 3.0 * std::sin(0.7));
+  EXPECT_DOUBLE_EQ(system.torque({1.2, 0.0}, -2.0), 4.0 * -2.0 + 3.0 * std::sin(0.7));
 }
 
 TEST(SingleJointArm, UsesItsWholeTorqueAtTheEndsOfItsAccelerations) {
   const SingleJointArm system(pendulum(4.0, 3.0, 9.0));
-  EXPECT_DOUBLE_EQ(system.torque(0.9, system.acceleration(0.9).upper), 9.0);
-  EXPECT_DOUBLE_EQ(system.torque(0.9, system.acceleration(0.9).lower), -9.0);
+  EXPECT_DOUBLE_EQ(system.torque({0.9, 0.0}, system.acceleration(0.9, 0.0).upper), 9.0);
+  EXPECT_DOUBLE_EQ(system.torque({0.9, 0.0}, system.acceleration(0.9, 0.0).lower), -9.0);
 }
 
 }  // namespace

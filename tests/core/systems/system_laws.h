@@ -28,7 +28,7 @@ TYPED_TEST_SUITE_P(SystemLaws);
 TYPED_TEST_P(SystemLaws, AdmissibleAccelerationsAreIntervalsWithAnInside) {
   for (const auto& system : this->systems_) {
     for (const double s : this->samples(*system)) {
-      EXPECT_LT(system->acceleration(s).lower, system->acceleration(s).upper);
+      EXPECT_LT(system->acceleration(s, 0.0).lower, system->acceleration(s, 0.0).upper);
     }
   }
 }
@@ -38,8 +38,8 @@ TYPED_TEST_P(SystemLaws, BoundsHoldEverywhereAndAreReached) {
     const Interval bounds = system->acceleration_bounds();
     Interval seen = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const double s : this->samples(*system)) {
-      seen.lower = std::min(seen.lower, system->acceleration(s).lower);
-      seen.upper = std::max(seen.upper, system->acceleration(s).upper);
+      seen.lower = std::min(seen.lower, system->acceleration(s, 0.0).lower);
+      seen.upper = std::max(seen.upper, system->acceleration(s, 0.0).upper);
     }
     const double room = 1e-3 * bounds.length();
     EXPECT_LE(bounds.lower, seen.lower);
@@ -63,7 +63,7 @@ TYPED_TEST_P(SystemLaws, WorkIsTheIntegralOfTheAcceleration) {
         for (const double change : {-0.7, -1e-3, 1e-6, 0.4}) {
           if (!system->range().contains(from + change)) continue;
           const double expected = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
-              [&](double s) { return system->extreme_acceleration(extreme, s); }, from, from + change, 10, 1e-14);
+              [&](double s) { return system->extreme_acceleration(extreme, s, 0.0); }, from, from + change, 10, 1e-14);
           // The end of the quadrature, from + change, is rounded.
           const double rounding = 1e-15 + 1e-11 * std::abs(change);
           EXPECT_NEAR(system->specific_work(extreme, from, change), expected,
@@ -77,15 +77,16 @@ TYPED_TEST_P(SystemLaws, WorkIsTheIntegralOfTheAcceleration) {
 TYPED_TEST_P(SystemLaws, SignsChangeOnlyAtTheListedZeros) {
   for (const auto& system : this->systems_) {
     for (const Extreme extreme : {Extreme::kLowest, Extreme::kHighest}) {
-      const std::vector<double> zeros = system->zeros(extreme, system->range());
+      const std::vector<double> zeros = system->zeros(extreme, 0.0, system->range());
       EXPECT_TRUE(std::is_sorted(zeros.begin(), zeros.end()));
       for (const double zero : zeros) {
-        EXPECT_NEAR(system->extreme_acceleration(extreme, zero), 0.0, 1e-9 * system->acceleration_bounds().length());
+        EXPECT_NEAR(system->extreme_acceleration(extreme, zero, 0.0), 0.0,
+                    1e-9 * system->acceleration_bounds().length());
       }
       const std::vector<double> positions = this->samples(*system);
       for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
-        const bool changes = system->extreme_acceleration(extreme, positions[i]) *
-                                 system->extreme_acceleration(extreme, positions[i + 1]) <
+        const bool changes = system->extreme_acceleration(extreme, positions[i], 0.0) *
+                                 system->extreme_acceleration(extreme, positions[i + 1], 0.0) <
                              0.0;
         const bool listed = std::any_of(zeros.begin(), zeros.end(),
                                         [&](double zero) { return positions[i] <= zero && zero <= positions[i + 1]; });

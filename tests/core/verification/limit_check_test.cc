@@ -55,7 +55,7 @@ TEST(LimitCheck, APeakOfTorqueBetweenGoodKnotsIsFound) {
 
 TEST(LimitCheck, APeakOfVelocityBetweenGoodKnotsIsFound) {
   Arm arm = weightless_problem({0.0, 0.0}, {0.0, 0.0}).arms[0];
-  arm.torque = {-1e6, 1e6};
+  arm.torque = Interval{-1e6, 1e6};
   const double change = 2.02 * 8.0 / 15.0;  // the velocity peaks at 15/8 d / T
   const LimitReport report = limits_of(arm, {{0.0, 0.0, 0.0, 0.0, 0.0}, {1.0, change, 0.0, 0.0, 0.0}});
   ASSERT_EQ(report.violations.size(), 1u);
@@ -83,7 +83,7 @@ TEST(LimitCheck, EndingExactlyAtTheEndOfTheRangeIsAllowed) {
 
 TEST(LimitCheck, AHoldThatTheDriveCanNotHoldIsATorqueViolation) {
   Problem problem = paper_problem({90.0, 90.0}, {90.0, 90.0});
-  problem.arms[0].torque = {-29.0, 29.0};  // 29.43 N m are needed
+  problem.arms[0].torque = Interval{-29.0, 29.0};  // 29.43 N m are needed
   const LimitReport report = limits_of(problem.arms[0], resting_motion(problem, 2.0)[0].knots);
   ASSERT_EQ(report.violations.size(), 1u);
   EXPECT_NEAR(report.torque.value, 29.43 / 29.0, 1e-12);
@@ -93,7 +93,7 @@ TEST(LimitCheck, RoundingBeyondASideOfNextToNothingIsNoViolation) {
   for (const double lower : {0.0, -1e-300, -1e-9}) {
     SCOPED_TRACE(lower);
     Problem problem = paper_problem({180.0, 90.0}, {180.0, 90.0});
-    problem.arms[0].torque.lower = lower;
+    std::get<Interval>(problem.arms[0].torque).lower = lower;
     std::vector<Knot> knots = resting_motion(problem, 2.0)[0].knots;
     for (Knot& knot : knots) knot.acceleration = (lower - 9e-16) / problem.arms[0].inertia;
     EXPECT_THAT(limits_of(problem.arms[0], knots).violations, IsEmpty());
@@ -136,7 +136,7 @@ TEST(LimitCheck, ALeapInAShortPieceIsAVelocityHoweverLateItIs) {
 TEST(LimitCheck, AFastVelocityIsNotExcusedByRounding) {
   Arm arm = weightless_problem({0.0, 0.0}, {0.0, 0.0}).arms[0];
   const double speed = 1.001 * arm.velocity.upper;
-  arm.torque = {-1e12, 1e12};
+  arm.torque = Interval{-1e12, 1e12};
   const double at = 1e6;
   const double after = at + 1e-7;
   const double mean = 15.0 / 8.0 * (speed - arm.velocity.upper) + arm.velocity.upper;

@@ -81,8 +81,10 @@ const std::vector<Damage>& damages() {
                                       {{3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, 0.05},
                                       AttachedPlacement{0, Eigen::Isometry3d::Identity(), 1.0}});
        }},
-      {"TheDriveIsWeaker", ViolationKind::kTorque, [](Plan& p) { p.problem.arms[0].torque.upper -= 1e-3; }},
-      {"TheDriveBrakesLess", ViolationKind::kTorque, [](Plan& p) { p.problem.arms[1].torque.upper -= 1e-3; }},
+      {"TheDriveIsWeaker", ViolationKind::kTorque,
+       [](Plan& p) { std::get<Interval>(p.problem.arms[0].torque).upper -= 1e-3; }},
+      {"TheDriveBrakesLess", ViolationKind::kTorque,
+       [](Plan& p) { std::get<Interval>(p.problem.arms[1].torque).upper -= 1e-3; }},
       {"AnAccelerationIsAboveTheDrive", ViolationKind::kTorque, [](Plan& p) { middle_knot(p).acceleration += 1e-3; }},
       {"AWrittenTorqueIsWrong", ViolationKind::kTorqueColumn, [](Plan& p) { middle_knot(p).torque += 1e-3; }},
       {"WrittenTorquesAreSwapped", ViolationKind::kTorqueColumn,

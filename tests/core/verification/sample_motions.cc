@@ -30,7 +30,8 @@ void add_arc(ArmTrajectory& motion, const Arm& arm, ArcKind kind, Interval time,
 }
 
 double half_time(const Arm& arm, const Task& task) {
-  return std::sqrt(std::abs(task.goal.position - task.start.position) * arm.inertia / arm.torque.upper);
+  return std::sqrt(std::abs(task.goal.position - task.start.position) * arm.inertia /
+                   std::get<Interval>(arm.torque).upper);
 }
 
 }  // namespace
@@ -51,7 +52,8 @@ Trajectory parabolic_motion(const Problem& problem, std::array<double, kArmCount
     const Arm& arm = problem.arms[i];
     const Task& task = problem.tasks[i];
     const double half = half_time(arm, task);
-    const double acceleration = std::copysign(arm.torque.upper / arm.inertia, task.goal.position - task.start.position);
+    const double acceleration =
+        std::copysign(std::get<Interval>(arm.torque).upper / arm.inertia, task.goal.position - task.start.position);
     const double begin = start_times[i];
     ArmTrajectory& motion = trajectory[i];
     motion.arm = arm.name;
@@ -81,7 +83,8 @@ Trajectory full_torque_motion(Problem& problem, double duration, double knot_per
   constexpr int kStepsPerKnot = 50;
   const Arm& arm = problem.arms[0];
   const auto acceleration = [&arm](long double position) {
-    return (arm.torque.upper - arm.gravity.amplitude * std::sin(position - arm.gravity.phase)) / arm.inertia;
+    return (std::get<Interval>(arm.torque).upper - arm.gravity.amplitude * std::sin(position - arm.gravity.phase)) /
+           arm.inertia;
   };
   Trajectory trajectory = resting_motion(problem, duration);
   ArmTrajectory& motion = trajectory[0];
@@ -94,7 +97,7 @@ Trajectory full_torque_motion(Problem& problem, double duration, double knot_per
   const long double h = static_cast<long double>(duration) / knots / kStepsPerKnot;
   for (int k = 0; k <= knots; ++k) {
     motion.knots.push_back({duration * k / knots, static_cast<double>(p), static_cast<double>(v),
-                            static_cast<double>(acceleration(p)), arm.torque.upper});
+                            static_cast<double>(acceleration(p)), std::get<Interval>(arm.torque).upper});
     for (int step = 0; step < kStepsPerKnot && k < knots; ++step) {  // Runge-Kutta-Nystroem, fourth order
       const long double k1 = acceleration(p);
       const long double k2 = acceleration(p + 0.5L * h * v + 0.125L * h * h * k1);

@@ -136,7 +136,7 @@ TEST(ReadArm, TakesEveryNumberToItsPlace) {
   EXPECT_EQ(arm.inertia, 39.0);
   EXPECT_DOUBLE_EQ(arm.gravity.amplitude, 0.5 * 9.81 * 6.0);
   EXPECT_EQ(arm.payload_gravity, 9.81);
-  EXPECT_EQ(arm.torque, (Interval{-60.0, 60.0}));
+  EXPECT_EQ(std::get<Interval>(arm.torque), (Interval{-60.0, 60.0}));
   EXPECT_EQ(arm.velocity, (Interval{-2.0, 2.0}));
 }
 
