@@ -57,7 +57,9 @@ enum class InfeasibleReason {
   kGoalOutsideRange,
   kStartNotHoldable,
   kGoalNotHoldable,
-  kTorqueTooSmall,  ///< no monotone motion gets past an angle
+  kTorqueTooSmall,  ///< no motion gets past an angle
+  kStartTooFast,    ///< the start's velocity breaks its limit or cannot be braked inside the joint's free range
+  kGoalTooFast,     ///< the goal's velocity breaks its limit or cannot be reached inside the joint's free range
   kVelocityLimit,   ///< the limit cannot be kept even with full braking
   kObjectInSweep,   ///< a fixed object stands in the arm's way
   kNoCoordination,  ///< no allowed way of taking turns exists
@@ -67,6 +69,7 @@ enum class InfeasibleReason {
 struct Evidence {
   std::string arm;
   std::optional<double> position;          ///< rad
+  std::optional<double> velocity;          ///< rad/s, at that position
   std::optional<double> needed_torque;     ///< N m
   std::optional<double> available_torque;  ///< N m
   std::string first_body;

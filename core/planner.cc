@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <sstream>
 
 #include "core/coordination/diagram.h"
 #include "core/coordination/start_times.h"
 #include "core/fallback/state_time_planner.h"
+#include "core/free_range.h"
 #include "core/phase_plane/time_optimal.h"
 #include "core/refusal.h"
+#include "core/refuse_blocked.h"
 #include "core/systems/playback.h"
+#include "core/wording.h"
 
 namespace dualarm {
 namespace {
@@ -31,14 +33,25 @@ double seconds_since(Budget::Clock::time_point start) {
   return std::chrono::duration<double>(Budget::Clock::now() - start).count();
 }
 
+bool is_at_rest(const Task& task) { return task.start.velocity == 0.0 && task.goal.velocity == 0.0; }
+
+/// An arm that no motion takes out of the stretch that fixed objects leave it.
+SingleJointArm system_within(Arm arm, const FreeRange& free) {
+  arm.joint_range = free.range;
+  return SingleJointArm(arm);
+}
+
 /// One planning run: its problem, what was found out so far, and what it cost.
 class Run {
  public:
   Run(const Problem& problem, const Budget& budget)
       : problem_(problem),
         budget_(budget),
+        slack_(end_state_slack(problem)),
+        margin_(std::clamp(0.5 * slack_, kLeastMargin, kPlanningMargin)),
         arms_{loaded_arm(problem, 0), loaded_arm(problem, 1)},
-        systems_{SingleJointArm(arms_[0]), SingleJointArm(arms_[1])} {}
+        free_{free_range(problem, 0, clearance()), free_range(problem, 1, clearance())},
+        systems_{system_within(arms_[0], free_[0]), system_within(arms_[1], free_[1])} {}
 
   Outcome answer() {
     auto found = analytic();
@@ -54,20 +67,18 @@ class Run {
   std::optional<Answer> analytic() {
     for (int i = 0; i < kArmCount; ++i) {
       const Task& task = problem_.tasks[i];
-      auto motion = fastest_motion(systems_[i], task.start.position, task.goal.position);
+      auto motion = fastest_motion(systems_[i], task.start, task.goal);
       if (const auto* blocked = std::get_if<Blocked>(&motion)) {
-        const Infeasible refusal = refuse_blocked(arms_[i], systems_[i], *blocked);
+        const Infeasible refusal = refuse_blocked(arms_[i], task, systems_[i], free_[i], *blocked);
         if (blocked->is_proven) return refusal;
-        tried_.push_back(refusal.explanation + " Swinging back first might help.");
+        tried_.push_back(refusal.explanation + " Motions that swing to and fro were searched too, without success.");
         lower_bound_ = std::max(lower_bound_, blocked->lower_bound);
       } else {
         fastest_.push_back(std::get<FastestMotion>(std::move(motion)));
         lower_bound_ = std::max(lower_bound_, fastest_.back().lower_bound);
       }
     }
-    const double slack = end_state_slack(problem_);
-    margin_ = std::clamp(0.5 * slack, kLeastMargin, kPlanningMargin);
-    if (slack < margin_) return refuse_end_states(problem_, margin_);
+    if (slack_ < margin_) return refuse_end_states(problem_, margin_);
     if (auto refusal = refuse_paper_set(problem_, clearance())) return *refusal;
     if (auto refusal = refuse_sweeps(problem_, margin_)) return *refusal;
     if (fastest_.size() < kArmCount) return std::nullopt;
@@ -80,46 +91,78 @@ class Run {
   /// The fastest motions, one of them delayed where they would collide. Theory, section 3.
   std::optional<Answer> wait() {
     const PlanOptions& options = problem_.options;
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const Profile& first = fastest_[0].profile;
     const Profile& second = fastest_[1].profile;
+    const Timing first_timing = timing_of(first);
+    const Timing second_timing = timing_of(second);
+    const Interval possible = possible_delays(first_timing, second_timing);
+    if (possible.empty()) {
+      tried_.push_back(why_stretch(first.duration(), second.duration()));
+      return std::nullopt;
+    }
     const auto forbidden = forbidden_delays(ForbiddenSet(problem_, clearance()), first, second, budget_);
     if (!forbidden) {
       tried_.push_back("start delays: the budget ran out");
       return std::nullopt;
     }
-    safe_delays_ = forbidden->complement({-kInfinity, kInfinity});
+    safe_delays_ = forbidden->complement(possible);
     const double longest = options.allows(Method::kDelay)          ? options.max_start_delay
                            : options.allows(Method::kSimultaneous) ? 0.0
                                                                    : -1.0;
-    if (const auto times = best_start_times(safe_delays_, first.duration(), second.duration(), longest)) {
+    if (const auto times = best_start_times(safe_delays_, first_timing, second_timing, longest)) {
       const bool waits = times->first + times->second > 0.0 || !options.allows(Method::kSimultaneous);
       return verified(waits ? Method::kDelay : Method::kSimultaneous, times->duration,
                       {std::vector{TimedProfile{times->first, first}}, {TimedProfile{times->second, second}}});
     }
-    tried_.push_back("start delays: none that is allowed avoids a collision of the fastest motions");
-    if (!may_search()) return refuse_delays(problem_, safe_delays_);
+    std::string line = "start delays: none that is allowed avoids a collision of the fastest motions";
+    if (!rests_at_ends())
+      line += "; arms in motion at their start cannot wait, those in motion at their goal not be early";
+    tried_.push_back(line);
+    // Other motions than the fastest might take turns, but the methods that are allowed know none.
+    if (!search_is_allowed() && rests_at_ends() && !was_searched()) return refuse_delays(problem_, safe_delays_);
     return std::nullopt;
   }
 
+  /// An arm that can neither wait nor be early, and would have to be slower than its fastest motion.
+  std::string why_stretch(double first_duration, double second_duration) const {
+    const int shorter = first_duration < second_duration ? 0 : 1;
+    return worded("start delays: ", arms_[shorter].name, " is in motion at its start and at its goal, so that its ",
+                  std::min(first_duration, second_duration), " s would have to be stretched to the ",
+                  std::max(first_duration, second_duration), " s of ", arms_[1 - shorter].name,
+                  "; fastest motions are never stretched");
+  }
+
+  bool rests_at_ends() const {
+    return std::all_of(problem_.tasks.begin(), problem_.tasks.end(), [](const Task& task) { return is_at_rest(task); });
+  }
+
+  /// Whether a motion is the fastest of those that were searched only.
+  bool was_searched() const {
+    return std::any_of(fastest_.begin(), fastest_.end(), [](const FastestMotion& motion) {
+      return motion.minimum_over == MinimumOver::kSearchedMotions;
+    });
+  }
+
   /// The search knows the exact set only.
-  bool may_search() const {
+  bool search_is_allowed() const {
     return problem_.options.allows(Method::kStateTime) && problem_.options.region_model == RegionModel::kExact;
   }
 
   /// Motions with rests on the way, by search. Theory, section 6.
   std::optional<Answer> search() {
-    if (!may_search()) return std::nullopt;
+    if (!search_is_allowed()) return std::nullopt;
+    if (!rests_at_ends()) {
+      tried_.push_back("state-time search: not tried, because it plans from rest to rest only");
+      return std::nullopt;
+    }
     const auto start = Budget::Clock::now();
     const SearchResult result =
         search_state_time(problem_, {&systems_[0], &systems_[1]}, clearance(), kDefaultEvaluationLimit, budget_);
     statistics_.fallback_seconds = seconds_since(start);
     statistics_.fallback_evaluation_count = result.evaluation_count;
-    std::ostringstream line;
-    line << "state-time search: " << result.evaluation_count << " evaluations, "
-         << (result.schedule ? "a schedule found" : "no schedule found")
-         << (result.budget_ran_out ? ", stopped by the budget" : "");
-    tried_.push_back(line.str());
+    tried_.push_back(worded("state-time search: ", result.evaluation_count, " evaluations, ",
+                            result.schedule ? "a schedule found" : "no schedule found",
+                            result.budget_ran_out ? ", stopped by the budget" : ""));
     if (!result.schedule) return std::nullopt;
     return verified(Method::kStateTime, result.duration, *result.schedule);
   }
@@ -127,10 +170,8 @@ class Run {
   /// The motions as they are sent, if they pass verification; nothing else leaves the house.
   std::optional<Answer> verified(Method method, double duration, const Schedule& schedule) {
     if (duration / problem_.options.knot_period > kMostKnots) {
-      std::ostringstream line;
-      line << "A plan of " << duration << " s was found, but at a knot period of " << problem_.options.knot_period
-           << " s it has more than " << kMostKnots << " knots an arm; ask for a longer knot period";
-      remedy_ = line.str();
+      remedy_ = worded("A plan of ", duration, " s was found, but at a knot period of ", problem_.options.knot_period,
+                       " s it has more than ", kMostKnots, " knots an arm; ask for a longer knot period");
       return undecided();
     }
     Plan plan;
@@ -161,14 +202,21 @@ class Run {
     certificate.lower_bound = lower_bound_;
     certificate.gap = duration > 0.0 ? std::max(0.0, duration / lower_bound_ - 1.0) : 0.0;
     if (method != Method::kStateTime) certificate.safe_start_delays = safe_delays_;
-    double monotone_bound = 0.0;
-    for (const FastestMotion& motion : fastest_) monotone_bound = std::max(monotone_bound, motion.profile.duration());
     if (duration <= lower_bound_ * (1.0 + kAtBound)) {
       certificate.claim = Claim::kOptimal;
-    } else if (fastest_.size() == kArmCount && duration <= monotone_bound * (1.0 + kAtBound)) {
+    } else if (duration <= monotone_bound() * (1.0 + kAtBound)) {
       certificate.claim = Claim::kOptimalMonotone;
     }
     return certificate;
+  }
+
+  /// What no pair of motions that never turn back is faster than, s; 0 if not known.
+  double monotone_bound() const {
+    double bound = 0.0;
+    for (const FastestMotion& motion : fastest_) {
+      if (motion.minimum_over != MinimumOver::kSearchedMotions) bound = std::max(bound, motion.profile.duration());
+    }
+    return fastest_.size() == kArmCount ? bound : 0.0;
   }
 
   Answer undecided() const {
@@ -182,12 +230,14 @@ class Run {
 
   const Problem& problem_;
   const Budget& budget_;
+  double slack_;   ///< m, of start and goal
+  double margin_;  ///< m
   std::array<Arm, kArmCount> arms_;
+  std::array<FreeRange, kArmCount> free_;
   std::array<SingleJointArm, kArmCount> systems_;
   Budget::Clock::time_point begin_ = Budget::Clock::now();
   std::vector<FastestMotion> fastest_;
-  double lower_bound_ = 0.0;         ///< s, of every plan
-  double margin_ = kPlanningMargin;  ///< m
+  double lower_bound_ = 0.0;  ///< s, of every plan
   IntervalSet safe_delays_;
   std::vector<std::string> tried_;
   std::string remedy_ =

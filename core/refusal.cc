@@ -2,75 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "core/coordination/forbidden_set.h"
+#include "core/wording.h"
 #include "geometry/clearance.h"
 
 namespace dualarm {
 namespace {
-
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
-
-/// All arguments one after another, numbers with six digits.
-template <class... Parts>
-std::string sentence(const Parts&... parts) {
-  std::ostringstream text;
-  text.precision(6);
-  (text << ... << parts);
-  return text.str();
-}
-
-InfeasibleReason reason_of(BlockReason reason) {
-  switch (reason) {
-    case BlockReason::kStartOutsideRange:
-      return InfeasibleReason::kStartOutsideRange;
-    case BlockReason::kGoalOutsideRange:
-      return InfeasibleReason::kGoalOutsideRange;
-    case BlockReason::kStartNotHoldable:
-      return InfeasibleReason::kStartNotHoldable;
-    case BlockReason::kGoalNotHoldable:
-      return InfeasibleReason::kGoalNotHoldable;
-    case BlockReason::kStartTooFast:
-    case BlockReason::kGoalTooFast:
-    case BlockReason::kVelocityLimit:
-      return InfeasibleReason::kVelocityLimit;
-    case BlockReason::kStalls:
-    case BlockReason::kCannotBrake:
-      return InfeasibleReason::kTorqueTooSmall;
-  }
-  throw std::logic_error("unknown block reason");
-}
-
-std::string what_fails(BlockReason reason) {
-  switch (reason) {
-    case BlockReason::kStartNotHoldable:
-      return "cannot be held at its start";
-    case BlockReason::kGoalNotHoldable:
-      return "cannot be held at its goal";
-    case BlockReason::kStalls:
-      return "stalls on the way even with full torque";
-    case BlockReason::kCannotBrake:
-      return "cannot be braked to rest at its goal, not even with full torque";
-    default:
-      return "has an end outside its joint range";
-  }
-}
-
-Infeasible outside_range(const Arm& arm, const Blocked& blocked) {
-  const double excess = blocked.position < arm.joint_range.lower ? arm.joint_range.lower - blocked.position
-                                                                 : blocked.position - arm.joint_range.upper;
-  const char* which = blocked.reason == BlockReason::kStartOutsideRange ? "start" : "goal";
-  Evidence evidence;
-  evidence.arm = arm.name;
-  evidence.position = blocked.position;
-  evidence.relaxation = excess;
-  return {reason_of(blocked.reason),
-          sentence("The ", which, " of ", arm.name, ", ", blocked.position, " rad (", degrees(blocked.position),
-                   " deg), lies outside its joint range [", arm.joint_range.lower, ", ", arm.joint_range.upper,
-                   "] rad by ", excess, " rad; move it or widen the range."),
-          evidence};
-}
 
 struct PlacedPair {
   std::string first;
@@ -111,26 +49,6 @@ std::optional<PlacedPair> closest_pair(const Problem& problem) {
 
 }  // namespace
 
-Infeasible refuse_blocked(const Arm& arm, const SingleJointArm& system, const Blocked& blocked) {
-  if (blocked.reason == BlockReason::kStartOutsideRange || blocked.reason == BlockReason::kGoalOutsideRange) {
-    return outside_range(arm, blocked);
-  }
-  const Interval limits = torque_limits(arm.torque, blocked.position, blocked.velocity);
-  const double needed = system.torque({blocked.position, blocked.velocity}, 0.0);
-  const double available = blocked.extreme == Extreme::kLowest ? limits.lower : limits.upper;
-  Evidence evidence;
-  evidence.arm = arm.name;
-  evidence.position = blocked.position;
-  evidence.needed_torque = needed;
-  evidence.available_torque = available;
-  evidence.relaxation = std::abs(needed - available);
-  return {reason_of(blocked.reason),
-          sentence(arm.name, " ", what_fails(blocked.reason), ": at ", blocked.position, " rad (",
-                   degrees(blocked.position), " deg) gravity needs ", needed, " N m and ", available,
-                   " N m are available; give the drive more torque or the arm less load."),
-          evidence};
-}
-
 double end_state_slack(const Problem& problem) {
   const std::optional<PlacedPair> pair = closest_pair(problem);
   return pair ? pair->distance - problem.options.clearance : std::numeric_limits<double>::infinity();
@@ -145,9 +63,9 @@ Infeasible refuse_end_states(const Problem& problem, double margin) {
   evidence.depth = problem.options.clearance + margin - pair.distance;
   evidence.relaxation = evidence.depth;
   return {pair.at_goal ? InfeasibleReason::kGoalInCollision : InfeasibleReason::kStartInCollision,
-          sentence("In the ", where, ", ", pair.first, " and ", pair.second, " are ", pair.distance, " m apart; ",
-                   problem.options.clearance, " m are demanded, and ", margin, " m more for the proof; move the ",
-                   where, " or demand less clearance."),
+          worded("In the ", where, ", ", pair.first, " and ", pair.second, " are ", pair.distance, " m apart; ",
+                 problem.options.clearance, " m are demanded, and ", margin, " m more for the proof; move the ", where,
+                 " or demand less clearance."),
           evidence};
 }
 
@@ -162,12 +80,11 @@ std::optional<Infeasible> refuse_paper_set(const Problem& problem, double cleara
     Evidence evidence;
     evidence.first_body = problem.arms[0].name;
     evidence.second_body = problem.arms[1].name;
-    return Infeasible{
-        at_goal ? InfeasibleReason::kGoalInCollision : InfeasibleReason::kStartInCollision,
-        sentence("The ", at_goal ? "goal" : "start", " (", degrees(position(0)), ", ", degrees(position(1)),
-                 ") deg lies in the paper's forbidden set R_c, although the arms "
-                 "keep their clearance there; ask for REGION_MODEL_EXACT."),
-        evidence};
+    return Infeasible{at_goal ? InfeasibleReason::kGoalInCollision : InfeasibleReason::kStartInCollision,
+                      worded("The ", at_goal ? "goal" : "start", " (", degrees(position(0)), ", ", degrees(position(1)),
+                             ") deg lies in the paper's forbidden set R_c, although the arms "
+                             "keep their clearance there; ask for REGION_MODEL_EXACT."),
+                      evidence};
   }
   return std::nullopt;
 }
@@ -188,12 +105,12 @@ std::optional<Infeasible> refuse_sweeps(const Problem& problem, double margin) {
         evidence.position = first.lower;
         evidence.first_body = moving.name;
         evidence.second_body = standing.name;
-        return Infeasible{InfeasibleReason::kObjectInSweep,
-                          sentence(standing.name, " stands in the way of ", moving.name, ": with ",
-                                   problem.arms[i].name, " from ", first.lower, " to ", first.upper,
-                                   " rad, between start and goal, they are closer than the demanded ", demanded,
-                                   " m and the ", margin, " m more for the proof; move the object or the goal."),
-                          evidence};
+        return Infeasible{
+            InfeasibleReason::kObjectInSweep,
+            worded(standing.name, " stands in the way of ", moving.name, ": with ", problem.arms[i].name, " from ",
+                   first.lower, " to ", first.upper, " rad, between start and goal, they are closer than the demanded ",
+                   demanded, " m and the ", margin, " m more for the proof; move the object or the goal."),
+            evidence};
       }
     }
   }
@@ -210,10 +127,10 @@ Infeasible refuse_delays(const Problem& problem, const IntervalSet& safe_delays)
   if (std::isfinite(smallest)) evidence.relaxation = smallest - allowed;
   return {InfeasibleReason::kNoCoordination,
           std::isfinite(smallest)
-              ? sentence("The smallest delay that avoids a collision is ", smallest, " s, and ", allowed,
-                         " s and the named methods are allowed; allow more delay or more methods.")
-              : sentence("Whichever arm waits, and however long, the fastest motions collide, and no other method is "
-                         "allowed; allow METHOD_STATE_TIME, which needs REGION_MODEL_EXACT."),
+              ? worded("The smallest delay that avoids a collision is ", smallest, " s, and ", allowed,
+                       " s and the named methods are allowed; allow more delay or more methods.")
+              : worded("Whichever arm waits, and however long, the fastest motions collide, and no other method is "
+                       "allowed; allow METHOD_STATE_TIME, which needs REGION_MODEL_EXACT."),
           evidence};
 }
 

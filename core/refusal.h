@@ -3,14 +3,9 @@
 #include <optional>
 
 #include "core/model/interval_set.h"
-#include "core/phase_plane/time_optimal.h"
 #include "core/plan.h"
-#include "core/systems/single_joint_arm.h"
 
 namespace dualarm {
-
-/// The answer for an arm that has no motion, with angle and torques.
-Infeasible refuse_blocked(const Arm& arm, const SingleJointArm& system, const Blocked& blocked);
 
 /// The answer if the start or the goal lies in the paper's set, where RegionModel::kPaper asks for it.
 std::optional<Infeasible> refuse_paper_set(const Problem& problem, double clearance);

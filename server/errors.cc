@@ -101,10 +101,10 @@ grpc::Status not_served(std::string_view rpc, std::string_view instead) {
   return status(grpc::StatusCode::UNIMPLEMENTED, message, message, error_info("NOT_SERVED"));
 }
 
-grpc::Status region_out_of_time() {
+grpc::Status out_of_time(std::string_view what, std::string_view remedy) {
   const std::string message =
-      "the forbidden region was not ready within the deadline and the server's longest computation of one call: ask "
-      "for a lower resolution or fewer objects";
+      fmt::format("{} was not ready within the deadline and the server's longest computation of one call: ask for {}",
+                  what, remedy);
   return status(grpc::StatusCode::DEADLINE_EXCEEDED, message, message, error_info("OUT_OF_TIME"));
 }
 

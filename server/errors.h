@@ -26,8 +26,9 @@ grpc::Status overloaded();
 /// UNIMPLEMENTED: `instead` says what serves the purpose.
 grpc::Status not_served(std::string_view rpc, std::string_view instead);
 
-/// DEADLINE_EXCEEDED: the forbidden region takes longer than the caller waits or the server allows a call.
-grpc::Status region_out_of_time();
+/// DEADLINE_EXCEEDED: `what` takes longer than the caller waits or the server allows a call; `remedy` says what to ask
+/// for instead.
+grpc::Status out_of_time(std::string_view what, std::string_view remedy);
 
 /// CANCELLED: nobody waits for the answer any more.
 grpc::Status cancelled();

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "core/arm_portrait.h"
 #include "core/coordination/region.h"
 #include "core/planner.h"
 #include "core/verification/verify.h"
@@ -36,7 +37,8 @@ void write_port(const std::string& path, int port) {
 }
 
 void serve(const ServerOptions& options, const sigset_t& stop_signals) {
-  dualarm::PlanningServer server(options, {dualarm::plan, dualarm::verify, dualarm::forbidden_region});
+  dualarm::PlanningServer server(options,
+                                 {dualarm::plan, dualarm::verify, dualarm::forbidden_region, dualarm::arm_portrait});
   write_port(options.port_file, server.port());
   spdlog::info("dualarm-server " DUALARM_VERSION " listening on {}", server.address());
   int signal = 0;

@@ -44,6 +44,12 @@ std::string note_on(const wire::PlanMotionResponse& response) {
   return "valid";
 }
 
+std::string note_on(const wire::GetPhasePortraitResponse& response) {
+  if (response.has_infeasible()) return fmt::format("infeasible {}", wire::Reason_Name(response.infeasible().reason()));
+  if (response.has_undecided()) return "undecided";
+  return fmt::format("motion duration_s={:.6f} {}", response.duration_s(), wire::Claim_Name(response.claim()));
+}
+
 }  // namespace
 
 PlanningService::PlanningService(PlanningFunctions functions, WorkerPool& pool,
@@ -89,17 +95,27 @@ grpc::ServerUnaryReactor* PlanningService::GetForbiddenRegion(grpc::CallbackServ
         const auto& wish = std::get<RegionWish>(parsed);
         const auto contours =
             functions_.forbidden_region(wish.problem, wish.resolution, call.budget(longest_planning_));
-        if (!contours) return Answer{region_out_of_time(), "out of time"};
+        if (!contours)
+          return Answer{out_of_time("the forbidden region", "a lower resolution or fewer objects"), "out of time"};
         *response = response_message(*contours, wish.problem);
         return Answer{grpc::Status::OK, fmt::format("{} contours", response->contours_size())};
       });
 }
 
-grpc::ServerUnaryReactor* PlanningService::GetPhasePortrait(grpc::CallbackServerContext* /*context*/,
-                                                            const wire::GetPhasePortraitRequest* /*request*/,
-                                                            wire::GetPhasePortraitResponse* /*response*/) {
-  return new RefusedCall<grpc::ServerUnaryReactor>(
-      "GetPhasePortrait", "the arcs of a plan by PlanMotion hold the fastest motions of both arms");
+grpc::ServerUnaryReactor* PlanningService::GetPhasePortrait(grpc::CallbackServerContext* context,
+                                                            const wire::GetPhasePortraitRequest* request,
+                                                            wire::GetPhasePortraitResponse* response) {
+  return UnaryCall::start(
+      pool_, "GetPhasePortrait", *context, *request, [this, request, response](const UnaryCall& call) {
+        const Parsed<PortraitWish> parsed = parse(*request);
+        if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
+        const auto& wish = std::get<PortraitWish>(parsed);
+        const auto portrait =
+            functions_.arm_portrait(wish.problem, wish.arm, wish.resolution, call.budget(longest_planning_));
+        if (!portrait) return Answer{out_of_time("the phase portrait", "a lower resolution"), "out of time"};
+        *response = response_message(*portrait);
+        return Answer{grpc::Status::OK, note_on(*response)};
+      });
 }
 
 grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanningService::PlanMotionStream(

@@ -9,10 +9,10 @@
 namespace dualarm {
 
 enum class ExitStatus : int {
-  kDone = 0,          ///< a plan, a verified motion, a healthy server
+  kDone = 0,          ///< a plan, a motion, a verified motion, a healthy server
   kFailure = 1,       ///< anything without a number of its own, such as a file that cannot be written
   kInvalid = 2,       ///< usage, a file that is not a request, a request that the server refuses
-  kNegative = 3,      ///< plan: infeasible; verify: a demand is broken
+  kNegative = 3,      ///< plan, portrait: infeasible; verify: a demand is broken
   kUndecided = 4,     ///< neither was reached in time
   kUnreachable = 5,   ///< no server answers, or it cannot take the work now
   kInterrupted = 130  ///< by SIGINT or SIGTERM

@@ -5,6 +5,7 @@
 #include "clients/cpp/health_command.h"
 #include "clients/cpp/interruption.h"
 #include "clients/cpp/plan_command.h"
+#include "clients/cpp/portrait_command.h"
 #include "clients/cpp/standard_output.h"
 #include "clients/cpp/verify_command.h"
 
@@ -17,12 +18,15 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   PlanCommand plan;
   VerifyCommand verify;
+  PortraitCommand portrait;
   HealthCommand health;
   CLI::App* plan_app = app.add_subcommand("plan", "plan the fastest verified motion of a request");
   CLI::App* verify_app = app.add_subcommand("verify", "verify a motion at every instant");
+  CLI::App* portrait_app = app.add_subcommand("portrait", "draw the phase plane of one arm and its fastest motion");
   CLI::App* health_app = app.add_subcommand("health", "ask whether a server is serving");
   plan.add_to(*plan_app);
   verify.add_to(*verify_app);
+  portrait.add_to(*portrait_app);
   health.add_to(*health_app);
   try {
     app.parse(argc, argv);
@@ -34,6 +38,7 @@ int run(int argc, char** argv) {
   const Interruption interruption;
   if (plan_app->parsed()) return static_cast<int>(plan.run(interruption));
   if (verify_app->parsed()) return static_cast<int>(verify.run(interruption));
+  if (portrait_app->parsed()) return static_cast<int>(portrait.run(interruption));
   return static_cast<int>(health.run(interruption));
 }
 

@@ -80,6 +80,11 @@ GetForbiddenRegionResponse PlanningClient::forbidden_region(const GetForbiddenRe
       [&](auto* context, auto* response) { return stub_->GetForbiddenRegion(context, request, response); });
 }
 
+GetPhasePortraitResponse PlanningClient::phase_portrait(const GetPhasePortraitRequest& request) const {
+  return call<GetPhasePortraitResponse>(
+      [&](auto* context, auto* response) { return stub_->GetPhasePortrait(context, request, response); });
+}
+
 // grpc.health.v1 in well-known wrappers, which are the same bytes, so that the client needs no generated health code:
 // HealthCheckRequest is one string, field 1; HealthCheckResponse is one enum, field 1, in which SERVING is 1.
 bool PlanningClient::is_serving(const std::string& service) const {

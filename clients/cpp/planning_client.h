@@ -23,6 +23,7 @@ class PlanningClient {
   planning::v1::VerifyMotionResponse verify(const planning::v1::VerifyMotionRequest& request) const;
   planning::v1::GetForbiddenRegionResponse forbidden_region(
       const planning::v1::GetForbiddenRegionRequest& request) const;
+  planning::v1::GetPhasePortraitResponse phase_portrait(const planning::v1::GetPhasePortraitRequest& request) const;
 
   /// Whether grpc.health.v1 says that `service` is serving; the empty name asks for the server as a whole. A service
   /// that the server does not know is not serving.

@@ -11,6 +11,7 @@ namespace {
 
 // Layout in pixels.
 constexpr double kSide = 560.0;
+constexpr double kHeight = 400.0;  // where the axes have scales of their own
 constexpr double kLeft = 76.0;
 constexpr double kTop = 84.0;
 constexpr double kBottom = 64.0;
@@ -50,12 +51,17 @@ std::string text_at(double x, double y, const std::string& attributes, const std
   return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" {}>{}</text>\n", x, y, attributes, escaped(text));
 }
 
-// The smallest round step that leaves at most ten ticks.
+// The smallest round step that leaves at most ten ticks; from 1 to 180 one that suits degrees.
 double tick_step(PlotRange range) {
   constexpr std::array kSteps = {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0};
   const double least = (range.max - range.min) / 10.0;
+  const double decade = std::pow(10.0, std::ceil(std::log10(least)));
+  if (decade <= 1.0) {
+    const double share = least / decade;
+    return decade * (share <= 0.1 ? 0.1 : share <= 0.2 ? 0.2 : share <= 0.5 ? 0.5 : 1.0);
+  }
   const auto step = std::find_if(kSteps.begin(), kSteps.end(), [least](double s) { return s >= least; });
-  return step != kSteps.end() ? *step : std::pow(10.0, std::ceil(std::log10(least)));
+  return step != kSteps.end() ? *step : decade;
 }
 
 std::vector<double> ticks(PlotRange range) {
@@ -69,16 +75,21 @@ std::vector<double> ticks(PlotRange range) {
 
 }  // namespace
 
-SvgPlot::SvgPlot(const PlotView& view, const std::string& x_title, const std::string& y_title)
+SvgPlot::SvgPlot(const PlotView& view, const std::string& x_title, const std::string& y_title, PlotScales scales)
     : view_(view),
-      scale_(kSide / std::max(view.x.max - view.x.min, view.y.max - view.y.min)),
+      x_scale_(kSide / (view.x.max - view.x.min)),
+      y_scale_(kHeight / (view.y.max - view.y.min)),
       next_legend_y_(kTop + 8.0) {
+  if (scales == PlotScales::kEqual) {
+    x_scale_ = kSide / std::max(view.x.max - view.x.min, view.y.max - view.y.min);
+    y_scale_ = x_scale_;
+  }
   draw_axes(x_title, y_title);
 }
 
-double SvgPlot::pixel_x(double x) const { return kLeft + scale_ * (x - view_.x.min); }
+double SvgPlot::pixel_x(double x) const { return kLeft + x_scale_ * (x - view_.x.min); }
 
-double SvgPlot::pixel_y(double y) const { return kTop + scale_ * (view_.y.max - y); }
+double SvgPlot::pixel_y(double y) const { return kTop + y_scale_ * (view_.y.max - y); }
 
 // Points that fall on the pixel before them are left out.
 std::string SvgPlot::path_data(const std::vector<PlotPoint>& points) const {

@@ -8,11 +8,15 @@
 
 namespace dualarm {
 
+/// How long the axes are: of equal scales, so that the longer range fills the side, or each as long as the plot.
+enum class PlotScales { kEqual, kFilled };
+
 /// Draws in the order of the calls. Numbers become pixels with two decimals.
 class SvgPlot {
  public:
-  /// The axes' ranges (min < max) and their titles. Equal scales on both axes; the longer range fills the side.
-  SvgPlot(const PlotView& view, const std::string& x_title, const std::string& y_title);
+  /// The axes' ranges (min < max) and their titles.
+  SvgPlot(const PlotView& view, const std::string& x_title, const std::string& y_title,
+          PlotScales scales = PlotScales::kEqual);
 
   /// Polygons filled by the even-odd rule, as one shape.
   void fill(const std::vector<std::vector<PlotPoint>>& polygons, const std::string& style);
@@ -36,7 +40,8 @@ class SvgPlot {
   void draw_axes(const std::string& x_title, const std::string& y_title);
 
   PlotView view_;
-  double scale_;  ///< pixels per unit
+  double x_scale_;  ///< pixels per unit
+  double y_scale_;
   std::string back_;
   std::string inside_;  ///< clipped to the plot's frame
   std::string outside_;

@@ -23,6 +23,8 @@ std::string plain(const std::string& name, const std::string& prefix, char betwe
 
 std::string words_for(Method method) { return plain(Method_Name(method), "METHOD_", '-'); }
 
+std::string words_for(ArcKind kind) { return plain(ArcKind_Name(kind), "ARC_KIND_", ' '); }
+
 std::string words_for(Reason reason) { return plain(Reason_Name(reason), "REASON_", ' '); }
 
 std::string claim_sentence(const Plan& plan) {

@@ -10,6 +10,9 @@ namespace dualarm {
 /// "simultaneous", "delay", "passage", "state-time".
 std::string words_for(planning::v1::Method method);
 
+/// "accelerate", "brake", "cruise", "hold".
+std::string words_for(planning::v1::ArcKind kind);
+
 /// "start in collision", ...
 std::string words_for(planning::v1::Reason reason);
 

@@ -19,11 +19,12 @@ constexpr double kResolution = 1e-4;
 constexpr double kShortestCell = 1e-9;
 /// Steps of the golden section, each of which leaves 0.618 of the bracket: down to rounding.
 constexpr int kSectionSteps = 75;
-/// Cells of arm 1's path at the start of the subdivision.
+/// Cells of each leg of arm 1 at the start of the subdivision.
 constexpr int kFirstCells = 16;
 
-/// A piece of arm 1's path, with the times at its ends.
+/// A piece of a leg of arm 1, with the times at its ends.
 struct Cell {
+  const Leg* leg = nullptr;
   double from = 0.0;
   double to = 0.0;
   double from_time = 0.0;
@@ -67,13 +68,13 @@ class Projection {
         budget_(budget),
         first_(first),
         second_(second),
-        window_{std::min(second.start(), second.goal()), std::max(second.start(), second.goal())},
+        window_(second.extent()),
         longest_(std::max(first.duration(), second.duration())),
         resolution_(kResolution * longest_) {}
 
   std::optional<IntervalSet> run() {
     stand_still();
-    if (!first_.stands_still() && !subdivide()) return std::nullopt;
+    if (!subdivide()) return std::nullopt;
     return polished();
   }
 
@@ -88,19 +89,26 @@ class Projection {
     }
   }
 
-  /// Halves the cells of arm 1's path until each forbids nothing that exact slices do not forbid, to the resolution.
+  std::vector<Cell> first_cells() const {
+    std::vector<Cell> cells;
+    for (const Leg& leg : first_.legs()) {
+      double from = leg.start;
+      double from_time = leg.start_time;
+      for (int i = 1; i <= kFirstCells; ++i) {
+        const double to = i == kFirstCells ? leg.goal : leg.start + (leg.goal - leg.start) * i / kFirstCells;
+        const double to_time = first_.time_at(leg, to);
+        cells.push_back({&leg, from, to, from_time, to_time});
+        from = to;
+        from_time = to_time;
+      }
+    }
+    return cells;
+  }
+
+  /// Halves the cells of arm 1's legs until each forbids nothing that exact slices do not forbid, to the resolution.
   /// Breadth first, so that wide slices spare the narrow cells. False if the budget ran out.
   bool subdivide() {
-    std::vector<Cell> cells;
-    double from = first_.start();
-    double from_time = 0.0;
-    for (int i = 1; i <= kFirstCells; ++i) {
-      const double to = first_.start() + (first_.goal() - first_.start()) * i / kFirstCells;
-      const double to_time = first_.time_at(first_.legs().front(), to);
-      cells.push_back({from, to, from_time, to_time});
-      from = to;
-      from_time = to_time;
-    }
+    std::vector<Cell> cells = first_cells();
     while (!cells.empty()) {
       const IntervalSet known = joined(found_);
       found_ = known.intervals();
@@ -109,7 +117,7 @@ class Projection {
         if (budget_.exhausted()) return false;
         const std::vector<Interval> outer = delays_of(cell);
         if (all_covered(outer, known, 0.0)) continue;
-        if (all_covered(outer, known, resolution_) || cell.to_time - cell.from_time < kShortestCell * longest_) {
+        if (all_covered(outer, known, resolution_) || is_shortest(cell)) {
           leaves_.push_back(cell);
         } else {
           split(cell, halves);
@@ -120,14 +128,20 @@ class Projection {
     return true;
   }
 
+  /// Near a turning point a short time is a shorter way than positions can tell apart.
+  bool is_shortest(const Cell& cell) const {
+    return cell.to_time - cell.from_time < kShortestCell * longest_ || cell.middle() == cell.from ||
+           cell.middle() == cell.to;
+  }
+
   void split(const Cell& cell, std::vector<Cell>& halves) {
     const double middle = cell.middle();
-    const double middle_time = first_.time_at(first_.legs().front(), middle);
+    const double middle_time = first_.time_at(*cell.leg, middle);
     for (const Interval& times : times_of_second(forbidden_.slice(middle, window_))) {
       found_.push_back({middle_time - times.upper, middle_time - times.lower});
     }
-    halves.push_back({cell.from, middle, cell.from_time, middle_time});
-    halves.push_back({middle, cell.to, middle_time, cell.to_time});
+    halves.push_back({cell.leg, cell.from, middle, cell.from_time, middle_time});
+    halves.push_back({cell.leg, middle, cell.to, middle_time, cell.to_time});
   }
 
   static bool all_covered(const std::vector<Interval>& intervals, const IntervalSet& set, double tolerance) {
@@ -172,29 +186,35 @@ class Projection {
     return IntervalSet(std::move(result));
   }
 
-  /// The lower end of `interval`, one of sign * (forbidden delays): the least of the local minima in the leaves.
+  /// The lower end of `interval`, one of sign * (forbidden delays): the least of the local minima in the leaves. A
+  /// turning point ends its leg's leaves: on both sides of it the same positions come at other times.
   double polished_end(Interval interval, double sign) const {
     if (!std::isfinite(interval.lower)) return interval.lower;
-    const auto lowest_at = [&](double position) { return end_of_slice(position, interval, sign); };
     std::vector<double> lowest;
-    for (const Cell& leaf : leaves_) lowest.push_back(lowest_at(leaf.middle()));
+    for (const Cell& leaf : leaves_) lowest.push_back(end_of_slice(*leaf.leg, leaf.middle(), interval, sign));
     double best = interval.lower;
     for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      const bool has_left = i > 0 && leaves_[i - 1].to == leaves_[i].from;
-      const bool has_right = i + 1 < leaves_.size() && leaves_[i + 1].from == leaves_[i].to;
+      const bool has_left = i > 0 && follows(leaves_[i - 1], leaves_[i]);
+      const bool has_right = i + 1 < leaves_.size() && follows(leaves_[i], leaves_[i + 1]);
       const bool is_minimum = (!has_left || lowest[i] <= lowest[i - 1]) && (!has_right || lowest[i] <= lowest[i + 1]);
       if (!is_minimum || lowest[i] > interval.lower + 2.0 * resolution_) continue;
       const double left = has_left ? leaves_[i - 1].middle() : leaves_[i].from;
       const double right = has_right ? leaves_[i + 1].middle() : leaves_[i].to;
+      const Leg& leg = *leaves_[i].leg;
+      const auto lowest_at = [&](double position) { return end_of_slice(leg, position, interval, sign); };
       best = std::min(best, least_value(lowest_at, left, right));
     }
     return best;
   }
 
-  /// The least of sign * (delays that the slice at a position forbids) that belongs to `interval`; far above it if
-  /// there is none, as beyond the tip of the set.
-  double end_of_slice(double position, Interval interval, double sign) const {
-    const double time = first_.time_at(first_.legs().front(), position);
+  static bool follows(const Cell& before, const Cell& after) {
+    return before.leg == after.leg && before.to == after.from;
+  }
+
+  /// The least of sign * (delays that the slice at a position of a leg forbids) that belongs to `interval`; far above
+  /// it if there is none, as beyond the tip of the set.
+  double end_of_slice(const Leg& leg, double position, Interval interval, double sign) const {
+    const double time = first_.time_at(leg, position);
     double lowest = interval.lower + longest_;
     for (const Interval& times : times_of_second(forbidden_.slice(position, window_))) {
       const double end = sign > 0.0 ? time - times.upper : times.lower - time;

@@ -9,11 +9,11 @@
 
 namespace dualarm {
 
-/// The start delays (s, start of arm 2 minus start of arm 1; ends may be infinite) with which two motions collide: the
-/// projection of the forbidden set in own-clock coordinates along the diagonal, where an arm before its start and after
-/// its arrival stands still. The ends are local extrema polished to rounding, and proven to be the global ones to 1e-4
-/// of the longer duration: a window of safe delays narrower than twice that may be counted as forbidden. Nothing if the
-/// budget ran out. Theory, section 3.
+/// The start delays (s, start of arm 2 minus start of arm 1; ends may be infinite) with which two motions collide,
+/// which may turn back on the way: the projection of the forbidden set in own-clock coordinates along the diagonal,
+/// where an arm before its start and after its arrival stands still. The ends are local extrema polished to rounding,
+/// and proven to be the global ones to 1e-4 of the longer duration: a window of safe delays narrower than twice that
+/// may be counted as forbidden. Nothing if the budget ran out. Theory, section 3.
 std::optional<IntervalSet> forbidden_delays(const ForbiddenSet& forbidden, const Profile& first, const Profile& second,
                                             const Budget& budget);
 

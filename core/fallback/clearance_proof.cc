@@ -34,6 +34,7 @@ std::vector<double> breakpoints(const std::array<Track, kArmCount>& tracks) {
   for (const Track& track : tracks) {
     for (const TimedTable& motion : track) {
       times.push_back(motion.start_time);
+      for (const double turn : motion.table->turning_times()) times.push_back(motion.start_time + turn);
       times.push_back(motion.start_time + motion.table->duration());
     }
   }

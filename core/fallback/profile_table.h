@@ -14,11 +14,15 @@ class ProfileTable {
 
   double duration() const { return knots_.back().time; }  ///< s
 
+  /// Times (s) of the own clock at which the motion turns back, ascending; between them it goes one way.
+  const std::vector<double>& turning_times() const { return turning_times_; }
+
   /// Position (rad) at a time of the own clock, clamped outside [0, duration].
   double position(double time) const;
 
  private:
   std::vector<Knot> knots_;  ///< torque unused
+  std::vector<double> turning_times_;
 };
 
 }  // namespace dualarm

@@ -11,7 +11,7 @@ namespace dualarm {
 
 std::optional<Profile> steer(const System& system, double from, double to) {
   if (from == to) return Profile(system, from);
-  auto motion = fastest_motion(system, from, to);
+  auto motion = fastest_motion(system, from, to, Swings::kSkip);
   if (auto* fastest = std::get_if<FastestMotion>(&motion)) return std::move(fastest->profile);
   return std::nullopt;
 }
@@ -27,15 +27,16 @@ double monotone_time(const Systems& systems, const JointPair& from, const JointP
 }
 
 double minimum_time(const Systems& systems, const JointPair& from, const JointPair& to) {
-  double slower = 0.0;
+  double bound = 0.0;
   for (int arm = 0; arm < kArmCount; ++arm) {
-    const auto motion = fastest_motion(*systems[arm], from[arm], to[arm]);
-    const auto* fastest = std::get_if<FastestMotion>(&motion);
-    if (fastest != nullptr && fastest->minimum_over == MinimumOver::kAllMotions) {
-      slower = std::max(slower, fastest->profile.duration());
+    const auto motion = fastest_motion(*systems[arm], from[arm], to[arm], Swings::kSkip);
+    if (const auto* blocked = std::get_if<Blocked>(&motion)) {
+      bound = std::max(bound, blocked->is_proven ? std::numeric_limits<double>::infinity() : blocked->lower_bound);
+    } else {
+      bound = std::max(bound, std::get<FastestMotion>(motion).lower_bound);
     }
   }
-  return slower;
+  return bound;
 }
 
 bool holdable(const Systems& systems, const JointPair& positions) {

@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
+#include <limits>
 
 namespace dualarm {
 namespace {
@@ -17,26 +18,42 @@ constexpr unsigned kQuadratureDepth = 15;
 /// many: motions that nearly stall magnify rounding, and no step is short enough for them.
 constexpr double kEndTolerance = 1e-11;
 constexpr int kMostParts = 4;
+/// Part of the start's speed below which an integrated arc is followed backwards from its end: times near rest are
+/// unsure, but backwards friction magnifies errors.
+constexpr double kSlowEnd = 1e-4;
 /// Part of a position below which an arc counts as this long: there the end tolerance is a few roundings of the
 /// position.
 constexpr double kShortestTravel = 1e-4;
 
 }  // namespace
 
-ArcMotion::ArcMotion(const System& system, const Arc& arc) : system_(system), arc_(arc) {
-  const bool rising = arc.end.position > arc.start.position;
-  extreme_ = (arc.kind == ArcKind::kAccelerate) == rising ? Extreme::kHighest : Extreme::kLowest;
-  from_start_ = std::abs(arc.start.velocity) <= std::abs(arc.end.velocity);
-  anchor_ = from_start_ ? arc.start : arc.end;
-  away_ = from_start_ == rising ? 1.0 : -1.0;
+ArcMotion::ArcMotion(const System& system, const Arc& arc)
+    : system_(&system), kind_(arc.kind), start_(arc.start), end_(arc.end) {
+  const double direction = end_.position > start_.position ? 1.0 : -1.0;
+  extreme_ = (kind_ == ArcKind::kAccelerate) == (direction > 0.0) ? Extreme::kHighest : Extreme::kLowest;
+  const bool is_traced = kind_ != ArcKind::kCruise && system.velocity_matters(extreme_, direction);
+  from_start_ = std::abs(end_.velocity) >= (is_traced ? kSlowEnd : 1.0) * std::abs(start_.velocity);
+  anchor_ = from_start_ ? start_ : end_;
+  away_ = from_start_ ? direction : -direction;
+  const double other_end = from_start_ ? end_.position : start_.position;
+  if (anchor_.velocity * direction < 0.0) {
+    backlash_ = std::abs(anchor_.velocity / acceleration(anchor_));
+    anchor_.velocity = 0.0;
+  }
+  if (is_traced) {
+    trace_.emplace(system, extreme_, anchor_, from_start_ ? 1.0 : -1.0, other_end,
+                   std::numeric_limits<double>::infinity());
+  }
+  duration_ =
+      kind_ == ArcKind::kCruise ? (end_.position - start_.position) / start_.velocity : time_from_anchor(other_end);
 }
 
 double ArcMotion::acceleration(JointState state) const {
-  return arc_.kind == ArcKind::kCruise ? 0.0 : system_.extreme_acceleration(extreme_, state.position, state.velocity);
+  return kind_ == ArcKind::kCruise ? 0.0 : system_->extreme_acceleration(extreme_, state.position, state.velocity);
 }
 
 double ArcMotion::speed_squared(double change) const {
-  return anchor_.velocity * anchor_.velocity + 2.0 * system_.specific_work(extreme_, anchor_.position, change);
+  return anchor_.velocity * anchor_.velocity + 2.0 * system_->specific_work(extreme_, anchor_.position, change);
 }
 
 /// d(root)/dt at position = anchor +- root^2: what is left of the speed when the singularity of a rest end is gone.
@@ -44,42 +61,41 @@ double ArcMotion::speed_near_anchor(double root) const {
   return std::sqrt(std::max(speed_squared(away_ * root * root), 0.0)) / (2.0 * root);
 }
 
-double ArcMotion::time_from_anchor(double root) const {
+double ArcMotion::quadrature(double root) const {
   if (root <= 0.0) return 0.0;
   // Over [-1, 1], always: on shorter intervals Boost 1.74 compares an error of the unit interval with a tolerance of
   // the short one and subdivides to the last level.
   const double half = 0.5 * root;
-  return half * boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
+  return half * boost::math::quadrature::gauss_kronrod<double, 21>::integrate(
                     [&](double at) { return 1.0 / speed_near_anchor(half * (1.0 + at)); }, -1.0, 1.0, kQuadratureDepth,
                     kQuadratureTolerance);
 }
 
-double ArcMotion::duration() const {
-  const double travel = std::abs(arc_.end.position - arc_.start.position);
-  return arc_.kind == ArcKind::kCruise ? travel / std::abs(arc_.start.velocity) : time_from_anchor(std::sqrt(travel));
+double ArcMotion::time_from_anchor(double position) const {
+  if (trace_) return backlash_ + std::abs(trace_->at_position(position).time);
+  return backlash_ + quadrature(std::sqrt(std::max(0.0, away_ * (position - anchor_.position))));
 }
 
 double ArcMotion::time_at(double position) const {
-  if (arc_.kind == ArcKind::kCruise) {
-    return arc_.start_time + (position - arc_.start.position) / arc_.start.velocity;
-  }
-  const double time = time_from_anchor(std::sqrt(std::max(0.0, away_ * (position - anchor_.position))));
-  return from_start_ ? arc_.start_time + time : arc_.end_time - time;
+  if (kind_ == ArcKind::kCruise) return (position - start_.position) / start_.velocity;
+  const double time = time_from_anchor(position);
+  return from_start_ ? time : duration_ - time;
 }
 
 JointState ArcMotion::at(double time) const {
-  if (arc_.kind == ArcKind::kCruise) {
-    return {arc_.start.position + arc_.start.velocity * (time - arc_.start_time), arc_.start.velocity};
-  }
-  const double wanted = from_start_ ? time - arc_.start_time : arc_.end_time - time;
-  const double whole = arc_.end_time - arc_.start_time;
-  const double travel = std::abs(arc_.end.position - arc_.start.position);
+  if (kind_ == ArcKind::kCruise) return {start_.position + start_.velocity * time, start_.velocity};
+  return from_anchor(from_start_ ? time : duration_ - time);
+}
+
+JointState ArcMotion::from_anchor(double time) const {
+  time = std::max(0.0, time - backlash_);
+  if (trace_) return trace_->at_time(from_start_ ? time : -time);
   double low = 0.0;
-  double high = std::sqrt(travel);
-  double root = high * std::clamp(wanted / whole, 0.0, 1.0);
+  double high = std::sqrt(std::abs(end_.position - start_.position));
+  double root = high * std::clamp(time / (duration_ - backlash_), 0.0, 1.0);
   // Newton in the root coordinate, where a start from rest is a straight line; bisection keeps it inside.
   for (int i = 0; i < 60 && root > 0.0; ++i) {
-    const double excess = time_from_anchor(root) - wanted;
+    const double excess = quadrature(root) - time;
     (excess > 0.0 ? high : low) = root;
     const double step = -excess * speed_near_anchor(root);
     if (std::abs(step) <= 1e-15 * root || high - low <= 1e-15 * high) break;
@@ -87,27 +103,26 @@ JointState ArcMotion::at(double time) const {
     root = low < next && next < high ? next : 0.5 * (low + high);
   }
   const double change = away_ * root * root;
-  const double sign = arc_.end.position > arc_.start.position ? 1.0 : -1.0;
+  const double sign = end_.position > start_.position ? 1.0 : -1.0;
   return {anchor_.position + change, sign * std::sqrt(std::max(0.0, speed_squared(change)))};
 }
 
 std::vector<JointState> ArcMotion::states(int count) const {
-  const double step = (arc_.end_time - arc_.start_time) / count;
-  if (arc_.kind == ArcKind::kCruise) {
-    std::vector<JointState> states(count + 1, arc_.start);
-    for (int i = 1; i < count; ++i) states[i].position += arc_.start.velocity * step * i;
-    states.back() = arc_.end;
+  const double step = duration_ / count;
+  std::vector<JointState> states;
+  if (kind_ == ArcKind::kCruise) {
+    for (int i = 0; i <= count; ++i) states.push_back(at(step * i));
+    states.back() = end_;
     return states;
   }
   // The end is known in closed form: an integration that misses it was too coarse.
-  std::vector<JointState> states;
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
-    states = integrated(arc_.start, step, count, parts);
+    states = integrated(start_, step, count, parts);
     if (miss(states.back()) > kEndTolerance) continue;
     spread_miss(states);
     return states;
   }
-  return met_halfway(std::move(states), integrated(arc_.end, -step, count, kMostParts));
+  return met_halfway(std::move(states), integrated(end_, -step, count, kMostParts));
 }
 
 /// States from one on, `count` steps of `step` s, each in `parts` steps of the integration.
@@ -115,7 +130,7 @@ std::vector<JointState> ArcMotion::integrated(const JointState& from, double ste
   using State = std::array<double, 2>;
   boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
   const auto rate_of = [this](const State& state, State& rate, double) {
-    rate = {state[1], system_.extreme_acceleration(extreme_, state[0], state[1])};
+    rate = {state[1], system_->extreme_acceleration(extreme_, state[0], state[1])};
   };
   std::vector<JointState> states = {from};
   states.reserve(count + 1);
@@ -129,22 +144,21 @@ std::vector<JointState> ArcMotion::integrated(const JointState& from, double ste
 
 /// By how much a state misses the arc's end, relative to the arc; positions are no better than their own rounding.
 double ArcMotion::miss(const JointState& state) const {
-  const double travel = std::abs(arc_.end.position - arc_.start.position) + kShortestTravel * std::abs(state.position);
-  const double speed = std::max(std::abs(arc_.start.velocity), std::abs(arc_.end.velocity));
-  return std::max(std::abs(state.position - arc_.end.position) / travel,
-                  std::abs(state.velocity - arc_.end.velocity) / speed);
+  const double travel = std::abs(end_.position - start_.position) + kShortestTravel * std::abs(state.position);
+  const double speed = std::max(std::abs(start_.velocity), std::abs(end_.velocity));
+  return std::max(std::abs(state.position - end_.position) / travel, std::abs(state.velocity - end_.velocity) / speed);
 }
 
 /// What the integration misses the end by, taken from all states in equal shares: in one step it would show as torque.
 void ArcMotion::spread_miss(std::vector<JointState>& states) const {
-  const double position_miss = arc_.end.position - states.back().position;
-  const double velocity_miss = arc_.end.velocity - states.back().velocity;
+  const double position_miss = end_.position - states.back().position;
+  const double velocity_miss = end_.velocity - states.back().velocity;
   for (std::size_t i = 1; i < states.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(states.size() - 1);
     states[i].position += share * position_miss;
     states[i].velocity += share * velocity_miss;
   }
-  states.back() = arc_.end;
+  states.back() = end_;
 }
 
 /// A motion that nearly stalls magnifies every rounding on its way past the slow point, in either direction of time: so

@@ -1,48 +1,58 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/model/trajectory.h"
 #include "core/phase_plane/system.h"
+#include "core/phase_plane/trace.h"
 
 namespace dualarm {
 
-/// Position and time along one arc of a profile. Times are the arc's own (Arc::start_time .. end_time); end_time is not
-/// used where the name says so. Both are references: do not outlive them.
+/// Position and time along one arc, on the arc's own clock from 0 to duration(): by quadrature where work and energy
+/// give the speed, else along an integrated trace. Refers to the system, which has to outlive it.
 class ArcMotion {
  public:
+  /// The kind and the end states of `arc` count, its times do not. Precondition: it has some length and does not turn
+  /// back; but an end velocity whose stopping distance positions cannot tell may point against it.
   ArcMotion(const System& system, const Arc& arc);
+
+  double duration() const { return duration_; }  ///< s
 
   /// Acceleration (rad/s2) of the arc's rule in a state; 0 for a cruise.
   double acceleration(JointState state) const;
 
-  /// Time (s) from start to end by quadrature; does not use the arc's times.
-  double duration() const;
-
   /// Time (s) at which a position of the arc is passed.
   double time_at(double position) const;
 
-  /// State at a time of the arc.
+  /// State at a time.
   JointState at(double time) const;
 
   /// States at `count` + 1 evenly spaced times from start to end.
   std::vector<JointState> states(int count) const;
 
  private:
+  double time_from_anchor(double position) const;
+  double quadrature(double root) const;
   double speed_near_anchor(double root) const;
-  double time_from_anchor(double root) const;
   double speed_squared(double change) const;
+  JointState from_anchor(double time) const;
   std::vector<JointState> integrated(const JointState& from, double step, int count, int parts) const;
   double miss(const JointState& state) const;
   void spread_miss(std::vector<JointState>& states) const;
   static std::vector<JointState> met_halfway(std::vector<JointState> forward, std::vector<JointState> backward);
 
-  const System& system_;
-  const Arc& arc_;
-  Extreme extreme_ = Extreme::kHighest;
-  JointState anchor_;       ///< the slower end of the arc: times are integrals from here
-  double away_ = 1.0;       ///< sign of position - anchor along the arc
-  bool from_start_ = true;  ///< the anchor is the arc's start
+  const System* system_;
+  ArcKind kind_;
+  JointState start_;
+  JointState end_;
+  Extreme extreme_;
+  JointState anchor_;           ///< the end of the arc from which times are taken, as a rule the slower one
+  double away_;                 ///< sign of position - anchor along the arc
+  bool from_start_;             ///< the anchor is the arc's start
+  std::optional<Trace> trace_;  ///< from the anchor, where velocity enters
+  double backlash_ = 0.0;       ///< s, to stop at the anchor where its tiny velocity points against the arc
+  double duration_;
 };
 
 }  // namespace dualarm

@@ -3,29 +3,14 @@
 #include <variant>
 #include <vector>
 
-#include "core/phase_plane/path.h"
-#include "core/phase_plane/time_optimal.h"
+#include "core/phase_plane/stretches.h"
 
 namespace dualarm {
 
-/// A piece of a path in the phase plane, from x = `from` to x = `to`: an arc of one kind through an anchor, or the
-/// velocity limit (kCruise).
-struct Stretch {
-  ArcKind kind = ArcKind::kCruise;
-  double from = 0.0;
-  double to = 0.0;
-  double anchor = 0.0;         ///< x of a point that the arc passes
-  double anchor_energy = 0.0;  ///< energy there; for kCruise that of the limit
-
-  double energy_at(const Path& path, double x) const {
-    return kind == ArcKind::kCruise ? anchor_energy : anchor_energy + path.work(kind, anchor, x - anchor);
-  }
-};
-
-/// The highest energy at each x of the path from which the goal can still be reached at rest without breaking the
-/// velocity limit: full braking backwards from the goal, and the limit where braking holds it. Stretches ascend in x
-/// from 0 to the path's length. Blocked (kCannotBrake) where not even rest is low enough. Precondition: braking at the
-/// goal is negative.
-std::variant<std::vector<Stretch>, Blocked> braking_ceiling(const Path& path);
+/// The highest energy at each x of the path from which the end can still be passed with `goal_energy` without breaking
+/// the velocity limit: full braking backwards from the end, and the limit where braking holds it (the set that can
+/// reach the goal, backwards, as in TOPP-RA, but exactly). Stretches ascend in x from 0 to the path's length. An
+/// Obstruction (kCannotBrake) where not even rest is low enough.
+std::variant<std::vector<Stretch>, Obstruction> braking_ceiling(const Path& path, double goal_energy);
 
 }  // namespace dualarm

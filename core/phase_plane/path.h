@@ -12,55 +12,60 @@ namespace dualarm {
 /// one case. Driving is full acceleration forward, braking full acceleration backward; energy is 1/2 s_dot^2, (rad/s)2.
 class Path {
  public:
+  /// From `start` to `goal` (rad), which differ.
   Path(const System& system, double start, double goal)
-      : system_(system),
+      : system_(&system),
         start_(start),
         goal_(goal),
         length_(std::abs(goal - start)),
-        direction_(goal < start ? -1.0 : 1.0) {}
+        direction_(goal < start ? -1.0 : 1.0) {
+    const double limit = std::abs(direction_ > 0.0 ? system.velocity().upper : system.velocity().lower);
+    energy_limit_ = 0.5 * limit * limit;
+  }
 
+  const System& system() const { return *system_; }
   double length() const { return length_; }
-  double goal() const { return goal_; }
-  double position(double x) const { return start_ + direction_ * x; }
   double direction() const { return direction_; }
+
+  double position(double x) const { return x == length_ ? goal_ : start_ + direction_ * x; }
+  double x(double position) const { return position == goal_ ? length_ : direction_ * (position - start_); }
+  double velocity(double energy) const { return direction_ * std::sqrt(2.0 * std::max(0.0, energy)); }
+
+  /// Energy at the velocity limit; may be infinite.
+  double energy_limit() const { return energy_limit_; }
 
   Extreme extreme(ArcKind kind) const {
     return (kind == ArcKind::kAccelerate) == (direction_ > 0.0) ? Extreme::kHighest : Extreme::kLowest;
   }
 
-  /// Forward acceleration at x while driving (kAccelerate) or braking (kBrake).
-  double acceleration(ArcKind kind, double x) const {
-    return direction_ * system_.extreme_acceleration(extreme(kind), position(x), 0.0);
+  /// Whether driving or braking depends on the velocity.
+  bool velocity_matters(ArcKind kind) const { return system_->velocity_matters(extreme(kind), direction_); }
+
+  /// Forward acceleration at x while driving (kAccelerate) or braking (kBrake) with an energy.
+  double acceleration(ArcKind kind, double x, double energy) const {
+    return direction_ * system_->extreme_acceleration(extreme(kind), position(x), velocity(energy));
   }
 
-  /// Energy gained from x to x + change while driving or braking.
+  /// Energy gained from x to x + change while driving or braking, where velocity does not matter.
   double work(ArcKind kind, double x, double change) const {
-    return system_.specific_work(extreme(kind), position(x), direction_ * change);
+    return system_->specific_work(extreme(kind), position(x), direction_ * change);
   }
 
-  /// Whether driving or braking from x to x + change gains or loses energy that shows beside `energy`. Between two
-  /// close zeros of an acceleration it need not, and then the arc is the velocity limit to rounding.
-  bool work_shows(ArcKind kind, double x, double change, double energy) const {
-    constexpr double kShowing = 1e-12;  // of the energy: some thousand roundings of it
-    return std::abs(work(kind, x, change)) > kShowing * energy;
-  }
+  /// `from` and `to` with the sign changes between them of the acceleration at a constant energy, ascending.
+  std::vector<double> pieces(ArcKind kind, double energy, double from, double to) const;
 
-  /// Energy at the velocity limit; may be infinite.
-  double energy_limit() const {
-    const double limit = direction_ > 0.0 ? system_.velocity().upper : system_.velocity().lower;
-    return 0.5 * limit * limit;
-  }
-
-  /// `from` and `to` with the sign changes of the acceleration between them, ascending: in each piece the energy along
-  /// an arc of this kind is monotone.
-  std::vector<double> monotone_pieces(ArcKind kind, double from, double to) const;
+  /// Where between `from` and `to` the accelerations have a bend, ascending, ends excluded.
+  std::vector<double> bends(double from, double to) const;
 
  private:
-  const System& system_;
+  std::vector<double> between(const std::vector<double>& positions, double from, double to) const;
+
+  const System* system_;
   double start_;
   double goal_;
   double length_;
   double direction_;
+  double energy_limit_;
 };
 
 }  // namespace dualarm

@@ -5,8 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/phase_plane/arc_motion.h"
-
 namespace dualarm {
 namespace {
 
@@ -16,17 +14,18 @@ bool rises(const Arc& arc) { return arc.end.position > arc.start.position; }
 
 }  // namespace
 
-Profile::Profile(const System& system, double position)
-    : system_(&system), start_{position, 0.0}, goal_{position, 0.0} {}
+Profile::Profile(const System& system, JointState state) : system_(&system), start_(state), goal_(state) {}
 
 Profile::Profile(const System& system, std::vector<Arc> arcs) : system_(&system), arcs_(std::move(arcs)) {
   if (arcs_.empty()) throw std::logic_error("a profile needs at least one arc");
+  motions_.reserve(arcs_.size());
   start_ = arcs_.front().start;
   goal_ = arcs_.back().end;
   for (std::size_t i = 0; i < arcs_.size(); ++i) {
     Arc& arc = arcs_[i];
     arc.start_time = duration_;
-    duration_ += ArcMotion(*system_, arc).duration();
+    motions_.emplace_back(*system_, arc);
+    duration_ += motions_.back().duration();
     arc.end_time = duration_;
     if (i == 0 || rises(arc) != rises(arcs_[i - 1]))
       legs_.push_back({i, i, arc.start_time, 0.0, arc.start.position, 0.0});
@@ -43,15 +42,15 @@ Interval Profile::extent() const {
   return extent;
 }
 
-double Profile::acceleration_on(const Arc& arc, JointState state) const {
-  return ArcMotion(*system_, arc).acceleration(state);
-}
+const ArcMotion& Profile::motion_of(const Arc& arc) const { return motions_.at(&arc - arcs_.data()); }
+
+double Profile::acceleration_on(const Arc& arc, JointState state) const { return motion_of(arc).acceleration(state); }
 
 JointState Profile::at(double time) const {
   if (arcs_.empty() || time <= 0.0) return start_;
   if (time >= duration_) return goal_;
   const auto arc = std::find_if(arcs_.begin(), arcs_.end(), [&](const Arc& a) { return time < a.end_time; });
-  return ArcMotion(*system_, *arc).at(time);
+  return motion_of(*arc).at(time - arc->start_time);
 }
 
 double Profile::time_at(const Leg& leg, double position) const {
@@ -60,7 +59,7 @@ double Profile::time_at(const Leg& leg, double position) const {
   if (sign * (leg.goal - position) <= 0.0) return leg.end_time;
   std::size_t arc = leg.first_arc;
   while (arc < leg.last_arc && sign * (arcs_[arc].end.position - position) < 0.0) ++arc;
-  return ArcMotion(*system_, arcs_[arc]).time_at(position);
+  return arcs_[arc].start_time + motions_[arc].time_at(position);
 }
 
 IntervalSet Profile::times_in(Interval positions) const {
@@ -77,8 +76,6 @@ IntervalSet Profile::times_in(Interval positions) const {
   return IntervalSet(std::move(times));
 }
 
-std::vector<JointState> Profile::states_along(const Arc& arc, int count) const {
-  return ArcMotion(*system_, arc).states(count);
-}
+std::vector<JointState> Profile::states_along(const Arc& arc, int count) const { return motion_of(arc).states(count); }
 
 }  // namespace dualarm

@@ -4,6 +4,7 @@
 
 #include "core/model/interval_set.h"
 #include "core/model/trajectory.h"
+#include "core/phase_plane/arc_motion.h"
 #include "core/phase_plane/system.h"
 
 namespace dualarm {
@@ -25,7 +26,10 @@ struct Leg {
 class Profile {
  public:
   /// The motion that stands still at `position`.
-  Profile(const System& system, double position);
+  Profile(const System& system, double position) : Profile(system, JointState{position, 0.0}) {}
+
+  /// The motion of no duration in a state.
+  Profile(const System& system, JointState state);
 
   /// Arcs in order of time, each beginning in the state in which the one before ends; their times are filled in here.
   /// Precondition: at least one arc, none of zero length, none that turns back on the way, no kHold.
@@ -47,7 +51,7 @@ class Profile {
   /// Its stretches of one direction, in order of time. Empty where it stands still.
   const std::vector<Leg>& legs() const { return legs_; }
 
-  /// Acceleration (rad/s2) that an arc's rule gives in a state.
+  /// Acceleration (rad/s2) that the rule of one of arcs() gives in a state.
   double acceleration_on(const Arc& arc, JointState state) const;
 
   /// State at a time of the own clock, to 1e-12; clamped outside [0, duration].
@@ -61,12 +65,15 @@ class Profile {
   /// Infinite ends where the start or the goal does.
   IntervalSet times_in(Interval positions) const;
 
-  /// States of an arc at `count` + 1 evenly spaced times from its start to its end.
+  /// States of one of arcs() at `count` + 1 evenly spaced times from its start to its end.
   std::vector<JointState> states_along(const Arc& arc, int count) const;
 
  private:
+  const ArcMotion& motion_of(const Arc& arc) const;
+
   const System* system_;
   std::vector<Arc> arcs_;
+  std::vector<ArcMotion> motions_;  ///< one for each arc
   std::vector<Leg> legs_;
   JointState start_;
   JointState goal_;

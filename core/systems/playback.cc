@@ -8,11 +8,15 @@ namespace dualarm {
 namespace {
 
 /// Part of the acceleration scale by which the quintic between two knots may depart from the arc.
-constexpr double kInterpolationError = 1e-9;
+constexpr double kInterpolationError = 4e-10;
 /// Rounding of positions (rad) as it shows in the quintic's acceleration, times the square of the spacing.
 constexpr double kPositionRounding = 1e-14;
+/// Part of a plan's duration by which times that others have rounded in another order may differ.
+constexpr double kTimeRounding = 1e-12;
 /// Number of intervals of an arc up to which it may double.
 constexpr int kMostIntervals = 16384;
+/// Doublings in a row that may bring nothing: the first ones of a very coarse period need not.
+constexpr int kVainDoublings = 4;
 
 /// State and acceleration of the quintic in the middle between two knots.
 struct Middle {
@@ -38,16 +42,22 @@ class Player {
     played_.arm = arm.name;
   }
 
-  void hold(double position, double until) {
+  /// Stays in a state until a time, which takes rest or no time.
+  void hold(JointState state, double until) {
+    if (state.velocity != 0.0) {
+      if (std::abs(until - now_) > kTimeRounding * duration_) {
+        throw std::logic_error("an arm that moves cannot wait for its next motion or the end of the plan");
+      }
+      return;
+    }
     if (until <= now_) return;
-    played_.arcs.push_back({ArcKind::kHold, now_, until, {position, 0.0}, {position, 0.0}});
-    add_rest(position, now_);
-    add_rest(position, until);
+    played_.arcs.push_back({ArcKind::kHold, now_, until, state, state});
+    add_knot(state, now_);
+    add_knot(state, until);
     now_ = until;
   }
 
-  /// Times are sums that others have rounded in another order: a motion begins no earlier than the one before ended,
-  /// and ends no later than the plan.
+  /// A motion begins no earlier than the one before ended, and ends no later than the plan.
   void move(const TimedProfile& motion) {
     for (const Arc& arc : motion.profile.arcs()) {
       Arc placed = arc;
@@ -60,8 +70,10 @@ class Player {
     }
   }
 
-  void add_rest(double position, double time) {
-    played_.knots.push_back({time, position, 0.0, 0.0, system_.torque({position, 0.0}, 0.0)});
+  /// In the state in which the plan ends: at rest, or under the last motion's torque.
+  void end_in(JointState state) {
+    if (state.velocity == 0.0 || played_.knots.empty()) return add_knot(state, duration_);
+    played_.knots.back().time = played_.arcs.back().end_time = duration_;
   }
 
   ArmTrajectory finish(const std::vector<TimedProfile>& motions) {
@@ -77,12 +89,36 @@ class Player {
   }
 
  private:
+  /// Without acceleration, as far as the state allows it.
+  void add_knot(JointState state, double time) {
+    const Interval admissible = system_.acceleration(state.position, state.velocity);
+    const double acceleration = state.velocity == 0.0 ? 0.0 : std::clamp(0.0, admissible.lower, admissible.upper);
+    played_.knots.push_back({time, state.position, state.velocity, acceleration, system_.torque(state, acceleration)});
+  }
+
+  /// One interval could be symmetric, and half way between its knots right by chance; but where two would be so short
+  /// that the rounding of positions shows, one is all that can be had.
+  int fewest(const Arc& arc) const {
+    const double h = 0.5 * (arc.end_time - arc.start_time);
+    const double scale = system_.acceleration(arc.start.position, arc.start.velocity).length();
+    const double rounding = kPositionRounding * (1.0 + std::abs(arc.start.position)) / (h * h);
+    return rounding > kInterpolationError * scale ? 1 : 2;
+  }
+
   std::vector<Knot> knots_along(const Profile& profile, const Arc& arc, const Arc& placed) const {
-    int count = std::max(1, static_cast<int>(std::ceil((arc.end_time - arc.start_time) / knot_period_)));
+    int count = std::max(fewest(arc), static_cast<int>(std::ceil((arc.end_time - arc.start_time) / knot_period_)));
     std::vector<Knot> knots = knots_along(profile, arc, placed, count);
-    while (2 * count <= kMostIntervals && !faithful(profile, arc, knots)) {
+    double least = unfaithfulness(profile, arc, knots);
+    // Where the states' own rounding is what is left, closer knots only magnify it.
+    int vain = 0;
+    while (least > 1.0 && vain < kVainDoublings && 2 * count <= kMostIntervals) {
       count *= 2;
-      knots = knots_along(profile, arc, placed, count);
+      std::vector<Knot> closer = knots_along(profile, arc, placed, count);
+      const double now = unfaithfulness(profile, arc, closer);
+      vain = now < least ? 0 : vain + 1;
+      if (vain > 0) continue;
+      least = now;
+      knots = std::move(closer);
     }
     return knots;
   }
@@ -100,7 +136,9 @@ class Player {
     return knots;
   }
 
-  bool faithful(const Profile& profile, const Arc& arc, const std::vector<Knot>& knots) const {
+  /// The largest part of what it may by which the quintic departs from the arc's acceleration half way between knots.
+  double unfaithfulness(const Profile& profile, const Arc& arc, const std::vector<Knot>& knots) const {
+    double largest = 0.0;
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
       const Middle middle = middle_of(knots[i], knots[i + 1]);
       const double h = knots[i + 1].time - knots[i].time;
@@ -108,9 +146,9 @@ class Player {
       const double rounding = kPositionRounding * (1.0 + std::abs(middle.position)) / (h * h);
       const double error =
           std::abs(middle.acceleration - profile.acceleration_on(arc, {middle.position, middle.velocity}));
-      if (error > kInterpolationError * scale + rounding) return false;
+      largest = std::max(largest, error / (kInterpolationError * scale + rounding));
     }
-    return true;
+    return largest;
   }
 
   const SingleJointArm& system_;
@@ -127,12 +165,12 @@ ArmTrajectory play(const Arm& arm, const SingleJointArm& system, const std::vect
   if (motions.empty()) throw std::logic_error("an arm without motions has no position to hold");
   Player player(arm, system, duration, knot_period);
   for (const TimedProfile& motion : motions) {
-    player.hold(motion.profile.start(), motion.start_time);
+    player.hold(motion.profile.start_state(), motion.start_time);
     player.move(motion);
   }
-  const double goal = motions.back().profile.goal();
+  const JointState goal = motions.back().profile.goal_state();
   player.hold(goal, duration);
-  player.add_rest(goal, duration);
+  player.end_in(goal);
   return player.finish(motions);
 }
 

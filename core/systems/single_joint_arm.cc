@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "core/systems/balance.h"
+#include "core/systems/torque_shape.h"
 
 namespace dualarm {
 namespace {
 
-/// Appends base + k * period, for every whole k, as far as it lies in `within`.
-void append_repeated(std::vector<double>& positions, double base, double period, Interval within) {
-  const double first = base + period * std::ceil((within.lower - base) / period);
-  const int count = first <= within.upper ? 1 + static_cast<int>((within.upper - first) / period) : 0;
-  for (int k = 0; k < count; ++k) positions.push_back(first + k * period);
-}
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Interval kEverywhere = {-kInfinity, kInfinity};
 
 }  // namespace
 
@@ -19,56 +19,73 @@ SingleJointArm::SingleJointArm(const Arm& arm)
     : inertia_(arm.inertia),
       friction_(arm.viscous_friction),
       gravity_(arm.gravity),
-      torque_(std::get<Interval>(arm.torque)),
+      torque_(arm.torque),
       range_(arm.joint_range),
-      velocity_(arm.velocity) {}
+      velocity_(arm.velocity),
+      at_rest_{torque_at_velocity(torque_, Extreme::kLowest, 0.0, kEverywhere),
+               torque_at_velocity(torque_, Extreme::kHighest, 0.0, kEverywhere)},
+      velocity_matters_{velocity_dependence(Extreme::kLowest), velocity_dependence(Extreme::kHighest)},
+      drives_best_at_rest_{torque_drives_best_at_rest(torque_, friction_, -1.0),
+                           torque_drives_best_at_rest(torque_, friction_, 1.0)},
+      bounds_{extreme_bound(Extreme::kLowest), extreme_bound(Extreme::kHighest)} {}
 
 Interval SingleJointArm::acceleration(double s, double s_dot) const {
   const double held = gravity_.amplitude * std::sin(s - gravity_.phase) + friction_ * s_dot;
-  return {(torque_.lower - held) / inertia_, (torque_.upper - held) / inertia_};
+  const auto* constant = std::get_if<Interval>(&torque_);
+  const Interval torque = constant != nullptr ? *constant : torque_limits(torque_, s, s_dot);
+  return {(torque.lower - held) / inertia_, (torque.upper - held) / inertia_};
 }
 
-Interval SingleJointArm::acceleration_bounds() const {
-  Interval bounds = acceleration(range_.lower, 0.0);
-  const auto include = [&](double s) {
-    const Interval here = acceleration(s, 0.0);
-    bounds = {std::min(bounds.lower, here.lower), std::max(bounds.upper, here.upper)};
-  };
-  include(range_.upper);
-  // Gravity is extreme a quarter of a turn from where the arm hangs, on either side.
-  std::vector<double> quarters;
-  append_repeated(quarters, gravity_.phase + 0.5 * std::numbers::pi, std::numbers::pi, range_);
-  std::for_each(quarters.begin(), quarters.end(), include);
-  return bounds;
+/// Whether an end depends on the velocity of falling and of rising motions.
+std::array<bool, 2> SingleJointArm::velocity_dependence(Extreme extreme) const {
+  return {friction_ > 0.0 || torque_depends_on_velocity(torque_, extreme, -1.0),
+          friction_ > 0.0 || torque_depends_on_velocity(torque_, extreme, 1.0)};
+}
+
+/// At each position the torque that is left runs straight from one bend of the velocities to the next: the bends and
+/// the velocity limits have its extremes.
+double SingleJointArm::extreme_bound(Extreme extreme) const {
+  std::vector<double> velocities = {0.0};
+  if (velocity_matters(extreme, 1.0) || velocity_matters(extreme, -1.0)) {
+    velocities = dualarm::velocity_bends(torque_);
+    std::erase_if(velocities, [&](double velocity) { return !velocity_.contains(velocity); });
+    velocities.insert(velocities.end(), {velocity_.lower, 0.0, velocity_.upper});
+  }
+  const double sign = extreme == Extreme::kHighest ? 1.0 : -1.0;
+  double largest = -kInfinity;  // of sign * torque
+  for (const double velocity : velocities) {
+    const PiecewiseLinear torque = torque_at_velocity(torque_, extreme, velocity, range_);
+    largest = std::max(largest, sign * (extreme_surplus(extreme, torque, gravity_, range_) - rubbed_off(velocity)));
+  }
+  return sign * largest / inertia_;
 }
 
 double SingleJointArm::specific_work(Extreme extreme, double from, double change) const {
   // cos(b) - cos(a) as a product of sines: near rest the difference of cosines would lose all digits.
   const double cosine_change = -2.0 * std::sin(from + 0.5 * change - gravity_.phase) * std::sin(0.5 * change);
-  return (limit(extreme) * change + gravity_.amplitude * cosine_change) / inertia_;
+  return (at_rest_[index(extreme)].integral(from, change) + gravity_.amplitude * cosine_change) / inertia_;
 }
 
-std::vector<double> SingleJointArm::zeros(Extreme extreme, double /*s_dot*/, Interval within) const {
-  const double ratio = limit(extreme) / gravity_.amplitude;
-  if (!(std::abs(ratio) < 1.0)) return {};
-  std::vector<double> found;
-  const double angle = std::asin(ratio);
-  for (const double base : {gravity_.phase + angle, gravity_.phase + std::numbers::pi - angle}) {
-    append_repeated(found, base, 2.0 * std::numbers::pi, within);
+std::vector<double> SingleJointArm::zeros(Extreme extreme, double s_dot, Interval within) const {
+  if (!std::holds_alternative<TorqueTable>(torque_)) {
+    return balances(torque_end(extreme, torque_limits(torque_, 0.0, s_dot)) - rubbed_off(s_dot), gravity_, within);
   }
-  std::sort(found.begin(), found.end());
-  return found;
+  PiecewiseLinear torque = torque_at_velocity(torque_, extreme, s_dot, within);
+  torque.add(-rubbed_off(s_dot));
+  return balances(torque, gravity_, within);
 }
 
-bool SingleJointArm::velocity_matters(Extreme /*extreme*/, double /*direction*/) const { return friction_ > 0.0; }
+std::vector<double> SingleJointArm::position_bends(Interval within) const {
+  return at_rest_[index(Extreme::kLowest)].bends(within);
+}
 
-bool SingleJointArm::drives_best_at_rest(double /*direction*/) const { return true; }
+std::vector<double> SingleJointArm::velocity_bends() const { return dualarm::velocity_bends(torque_); }
 
-std::vector<double> SingleJointArm::position_bends(Interval /*within*/) const { return {}; }
-
-std::vector<double> SingleJointArm::velocity_bends() const { return {}; }
-
-double SingleJointArm::stiffness() const { return std::abs(gravity_.amplitude) / inertia_; }
+double SingleJointArm::stiffness() const {
+  const double fall =
+      std::max(at_rest_[index(Extreme::kLowest)].steepest_fall(), at_rest_[index(Extreme::kHighest)].steepest_fall());
+  return (std::abs(gravity_.amplitude) + fall) / inertia_;
+}
 
 double SingleJointArm::torque(JointState state, double acceleration) const {
   return inertia_ * acceleration + friction_ * state.velocity +

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "core/model/arm.h"
 #include "core/model/problem.h"
 #include "core/phase_plane/system.h"
+#include "core/systems/piecewise_linear.h"
 
 namespace dualarm {
 
@@ -19,27 +22,39 @@ class SingleJointArm final : public System {
   Interval range() const override { return range_; }
   Interval velocity() const override { return velocity_; }
   Interval acceleration(double s, double s_dot) const override;
-  Interval acceleration_bounds() const override;
-  bool velocity_matters(Extreme extreme, double direction) const override;
-  bool drives_best_at_rest(double direction) const override;
+  Interval acceleration_bounds() const override { return bounds_; }
+  bool velocity_matters(Extreme extreme, double direction) const override {
+    return velocity_matters_[index(extreme)][direction > 0.0 ? 1 : 0];
+  }
+  bool drives_best_at_rest(double direction) const override { return drives_best_at_rest_[direction > 0.0 ? 1 : 0]; }
   double specific_work(Extreme extreme, double from, double change) const override;
   std::vector<double> zeros(Extreme extreme, double s_dot, Interval within) const override;
   std::vector<double> position_bends(Interval within) const override;
   std::vector<double> velocity_bends() const override;
+
+  /// An upper bound, and under limits that do not depend on the position the value itself: gravity's largest share and
+  /// the limits' largest share, though they may fall to different positions.
   double stiffness() const override;
 
   /// Torque (N m) the drive has to give in a state for an acceleration (rad/s2).
   double torque(JointState state, double acceleration) const;
 
  private:
-  double limit(Extreme extreme) const { return extreme == Extreme::kLowest ? torque_.lower : torque_.upper; }
+  std::array<bool, 2> velocity_dependence(Extreme extreme) const;
+  double extreme_bound(Extreme extreme) const;
+  double rubbed_off(double s_dot) const { return friction_ == 0.0 ? 0.0 : friction_ * s_dot; }  // 0 times infinity is 0
+  static std::size_t index(Extreme extreme) { return extreme == Extreme::kLowest ? 0 : 1; }
 
   double inertia_;
   double friction_;
   GravityTorque gravity_;
-  Interval torque_;
+  TorqueLimit torque_;
   Interval range_;
   Interval velocity_;
+  std::array<PiecewiseLinear, 2> at_rest_;               ///< ends of the torque limit at standstill over s
+  std::array<std::array<bool, 2>, 2> velocity_matters_;  ///< by end and direction
+  std::array<bool, 2> drives_best_at_rest_;              ///< by direction
+  Interval bounds_;
 };
 
 }  // namespace dualarm

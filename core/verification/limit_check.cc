@@ -1,12 +1,16 @@
 #include "core/verification/limit_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <variant>
 
 #include "core/verification/joint_torque.h"
 #include "core/verification/peak.h"
 #include "core/verification/sentence.h"
 #include "core/verification/tolerances.h"
+#include "core/verification/torque_peak.h"
 
 namespace dualarm {
 namespace {
@@ -25,8 +29,7 @@ Quantity velocity_along(const Quintic& piece, double most_rounding) {
 /// the time of its piece, and all of them together are a small part of the motion's own.
 class Forgiveness {
  public:
-  Forgiveness(const Arm& arm, const std::vector<Knot>& knots)
-      : free_(kTorqueTolerance * Share::by_side(torque_bounds(arm.torque)).unit()) {
+  Forgiveness(double free, const std::vector<Knot>& knots) : free_(free) {
     for (const Knot& knot : knots) left_ = std::max(left_, kMostForgivenVelocity * std::abs(knot.velocity));
   }
 
@@ -43,35 +46,69 @@ class Forgiveness {
   double left_ = 0.0;  // rad/s
 };
 
-/// One limit of one arm: its search, and the words for it.
-struct Limit {
+/// What was found of one quantity against its limits.
+struct Finding {
   ViolationKind kind;
   const char* quantity;
   const char* unit;
-  Interval limits;
   double tolerance;  // share
-  PeakSearch search;
+  double proven;     // share
+  double value;      // where the largest share was seen
+  double time;       // s, of that
+  Interval limits;   // there
+};
 
-  Limit(ViolationKind its_kind, const char* its_quantity, const char* its_unit, Interval its_limits, Share share,
-        double its_tolerance)
-      : kind(its_kind),
-        quantity(its_quantity),
-        unit(its_unit),
-        limits(its_limits),
-        tolerance(its_tolerance),
-        search(share, kPeakSlack * its_tolerance) {}
+Finding find(ViolationKind kind, const char* quantity, const char* unit, double tolerance, const PeakSearch& search,
+             Interval limits) {
+  return {kind, quantity, unit, tolerance, search.proven(), search.value(), search.time(), limits};
+}
 
-  Utilisation utilisation(const std::string& arm) const { return {search.proven(), arm, search.time()}; }
+void judge(const Finding& found, const std::string& arm, std::vector<Violation>& violations) {
+  if (found.proven <= 1.0 + found.tolerance) return;
+  const auto [lower, upper] = found.limits;
+  const double nearer = found.value - lower > upper - found.value ? upper : lower;
+  violations.push_back({found.kind,
+                        sentence(found.quantity, " of ", arm, " at ", found.time, " s is ", found.value, " ",
+                                 found.unit, "; its limits are ", lower, " and ", upper, " ", found.unit),
+                        arm, found.time, found.value, nearer});
+}
 
-  void judge(const std::string& arm, std::vector<Violation>& violations) const {
-    if (search.proven() <= 1.0 + tolerance) return;
-    const double value = search.value();
-    const double nearer = value - limits.lower > limits.upper - value ? limits.upper : limits.lower;
-    violations.push_back({kind,
-                          sentence(quantity, " of ", arm, " at ", search.time(), " s is ", value, " ", unit,
-                                   "; its limits are ", limits.lower, " and ", limits.upper, " ", unit),
-                          arm, search.time(), value, nearer});
+/// The search of the peak of torque, for limits that stand still and for those that change with the state.
+class TorqueLimitSearch {
+ public:
+  TorqueLimitSearch(const JointTorque& torque, const TorqueLimit& limit) : torque_(torque) {
+    if (const auto* constant = std::get_if<Interval>(&limit)) {
+      limits_ = *constant;
+      constant_.emplace(Share::by_side(limits_), kTorquePeakSlack);
+    } else {
+      changing_.emplace(torque, limit, kTorquePeakSlack);
+    }
   }
+
+  void visit(const Knot& knot) {
+    if (changing_) return changing_->visit(knot);
+    constant_->visit(knot.time, torque_.at({knot.position, knot.velocity}, knot.acceleration));
+  }
+
+  void visit(const Quintic& piece, double rounding) {
+    if (changing_) return changing_->visit(piece, rounding);
+    Quantity along = torque_.along(piece);
+    along.rounding = rounding;
+    constant_->visit(along, piece.time());
+  }
+
+  Finding finding() const {
+    if (constant_) return find(ViolationKind::kTorque, "torque", "N m", kTorqueTolerance, *constant_, limits_);
+    return {
+        ViolationKind::kTorque, "torque",           "N m", kTorqueTolerance, changing_->proven(), changing_->value(),
+        changing_->time(),      changing_->limits()};
+  }
+
+ private:
+  const JointTorque& torque_;
+  Interval limits_;  // N m, constant ones
+  std::optional<PeakSearch> constant_;
+  std::optional<TorquePeakSearch> changing_;
 };
 
 }  // namespace
@@ -79,34 +116,36 @@ struct Limit {
 LimitReport check_limits(const Arm& arm, const std::vector<Knot>& knots, const Interpolant& motion,
                          const Budget& budget) {
   const JointTorque torque_of_motion(arm);
-  Limit range(ViolationKind::kJointRange, "position", "rad", arm.joint_range, Share::from_middle(arm.joint_range),
-              kStateTolerance / Share::from_middle(arm.joint_range).unit());
-  Limit velocity(ViolationKind::kVelocity, "velocity", "rad/s", arm.velocity, Share::by_side(arm.velocity),
-                 kVelocityTolerance);
-  Limit torque(ViolationKind::kTorque, "torque", "N m", torque_bounds(arm.torque),
-               Share::by_side(torque_bounds(arm.torque)), kTorqueTolerance);
+  const Share share_of_range = Share::from_middle(arm.joint_range);
+  const Share share_of_velocity = Share::by_side(arm.velocity);
+  const double range_tolerance = kStateTolerance / share_of_range.unit();
+  PeakSearch range(share_of_range, kPeakSlack * range_tolerance);
+  PeakSearch velocity(share_of_velocity, kPeakSlack * kVelocityTolerance);
+  TorqueLimitSearch torque(torque_of_motion, arm.torque);
 
   for (const Knot& knot : knots) {
-    range.search.visit(knot.time, knot.position);
-    velocity.search.visit(knot.time, knot.velocity);
-    torque.search.visit(knot.time, torque_of_motion.at(knot.position, knot.acceleration));
+    range.visit(knot.time, knot.position);
+    velocity.visit(knot.time, knot.velocity);
+    torque.visit(knot);
   }
-  const double most_velocity_rounding = kMostVelocityRounding * Share::by_side(arm.velocity).unit();
-  Forgiveness forgiveness(arm, knots);
+  const double most_velocity_rounding = kMostVelocityRounding * share_of_velocity.unit();
+  Forgiveness forgiveness(kTorqueTolerance * least_half_width(arm.torque), knots);
   bool is_complete = true;
   for (const Quintic& piece : motion.pieces()) {
     is_complete = !budget.exhausted();
     if (!is_complete) break;
-    range.search.visit(position_along(piece), piece.time());
-    velocity.search.visit(velocity_along(piece, most_velocity_rounding), piece.time());
-    Quantity its_torque = torque_of_motion.along(piece);
-    its_torque.rounding = forgiveness.of(piece, its_torque.rounding);
-    torque.search.visit(its_torque, piece.time());
+    range.visit(position_along(piece), piece.time());
+    velocity.visit(velocity_along(piece, most_velocity_rounding), piece.time());
+    torque.visit(piece, forgiveness.of(piece, torque_of_motion.rounding(piece)));
   }
 
-  LimitReport report = {
-      range.utilisation(arm.name), velocity.utilisation(arm.name), torque.utilisation(arm.name), is_complete, {}};
-  for (const Limit* limit : {&range, &velocity, &torque}) limit->judge(arm.name, report.violations);
+  const std::array<Finding, 3> findings = {
+      find(ViolationKind::kJointRange, "position", "rad", range_tolerance, range, arm.joint_range),
+      find(ViolationKind::kVelocity, "velocity", "rad/s", kVelocityTolerance, velocity, arm.velocity),
+      torque.finding()};
+  const auto utilisation = [&arm](const Finding& found) { return Utilisation{found.proven, arm.name, found.time}; };
+  LimitReport report = {utilisation(findings[0]), utilisation(findings[1]), utilisation(findings[2]), is_complete, {}};
+  for (const Finding& found : findings) judge(found, arm.name, report.violations);
   return report;
 }
 

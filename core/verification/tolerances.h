@@ -42,8 +42,17 @@ inline constexpr double kTorqueColumnTolerance = 1e-6;
 /// A proven peak exceeds the one that is attained by at most this part of the tolerance of its limit.
 inline constexpr double kPeakSlack = 0.25;
 
+/// Share of a torque limit by which a proven peak exceeds the attained one at most: what is reported of a fastest motion
+/// is then within 1e-9 of 1. The search takes two to five times as long as for kPeakSlack.
+inline constexpr double kTorquePeakSlack = 2e-10;
+
 /// Times a piece between two knots is halved at most in search of a peak; what is then not proven counts as it is.
 inline constexpr int kMostHalvings = 20;
+
+/// The same where a piece crosses bends of torque limits: there the error of a bound falls with the interval only, not
+/// with its square, but in few intervals. So these are counted too.
+inline constexpr int kMostBendHalvings = 40;
+inline constexpr int kMostIntervals = 1 << 13;
 
 /// Share of a limit from which on the search of a peak no longer cares how much it is.
 inline constexpr double kHopelessShare = 1e3;

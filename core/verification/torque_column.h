@@ -19,9 +19,16 @@ struct TorqueColumnReport {
 ///
 /// The bound: let E be the largest residual torque between two knots h apart, at most M h^2 / 8 by the chord bound
 /// (M >= |tau''|) plus the largest mismatch at the two knots. The departure d from the interpolant obeys
-/// |I d''| <= E + |G| |d| and begins with d = d' = 0 at either knot, so that at half time
+/// |I d'' + b d'| <= E + |G| |d| and begins with d = d' = 0 at either knot. Without friction, at half time,
 ///   |d| <= E / |G| (cosh(k h / 2) - 1) = E h^2 / (8 I) (sinh(y) / y)^2,   k^2 = |G| / I,   y = k h / 4,
 /// by comparison with the equation that takes the equality.
+///
+/// With friction b >= 0, at a time s after a knot,
+///   d(s) = integral over r from 0 to s of K(s - r) f(r),   |f| <= E + |G| |d|,   K(u) = (1 - exp(-b u / I)) / b,
+/// and K(u) <= u / I, the kernel without friction: as kernels are positive, the same bound holds after the knot. Before
+/// a knot time runs backwards and friction drives: K(u) = (exp(b u / I) - 1) / b <= u exp(b u / I) / I, for u <= h / 2
+/// at most u / I c with c = exp(b h / (2 I)): the same bound with I / c for I. Where c is large, the bound from the
+/// knot before over all of h instead of half (four times as much without gravity) is the better one.
 TorqueColumnReport check_torque_column(const Arm& arm, const std::vector<Knot>& knots, const Interpolant& motion);
 
 }  // namespace dualarm

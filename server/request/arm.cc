@@ -43,6 +43,30 @@ void check_acceleration(const Arm& arm, const Field& field) {
   }
 }
 
+/// Friction, and the slope of a drive's line, which acts as friction does, set the shortest times of a motion.
+void check_damping(const Arm& arm, const Field& field) {
+  if (!(arm.inertia >= ranges::kTotalInertia.min && arm.viscous_friction >= 0.0)) return;
+  const auto* line = std::get_if<TorqueSpeedLine>(&arm.torque);
+  const double slope = line == nullptr || !(line->no_load_speed > 0.0) ? 0.0 : line->stall_torque / line->no_load_speed;
+  const double damping = (arm.viscous_friction + slope) / arm.inertia;
+  if (damping > ranges::kFastestDamping) {
+    field.complain(slope > arm.viscous_friction ? "torque_limit.torque_speed.no_load_speed_rad_per_s"
+                                                : "dynamics.viscous_friction_newton_meter_seconds",
+                   fmt::format("dampens the arm by {} 1/s at an inertia of {} kg m^2, must be at most {} 1/s: check "
+                               "the units of friction, speed and inertia",
+                               damping, arm.inertia, ranges::kFastestDamping));
+    return;
+  }
+  const Interval torque = torque_bounds(arm.torque);
+  const double top_speed = std::max(-torque.lower, torque.upper) / arm.viscous_friction;
+  if (torque.length() > 0.0 && top_speed < ranges::kLeastTopSpeed) {
+    field.complain("dynamics.viscous_friction_newton_meter_seconds",
+                   fmt::format("is {}, lets the largest torque turn the arm at {} rad/s, must be at least {} rad/s: "
+                               "check the units of friction and torque",
+                               arm.viscous_friction, top_speed, ranges::kLeastTopSpeed));
+  }
+}
+
 }  // namespace
 
 std::string read_name(const std::string& name, const Field& field) {
@@ -76,20 +100,24 @@ Arm read_arm(const wire::Arm& message, const Field& field) {
     arm.gravity = dynamics.gravity;
     arm.payload_gravity = dynamics.payload_gravity;
     arm.payload_gravity_phase = dynamics.payload_gravity_phase;
+    arm.viscous_friction = dynamics.viscous_friction;
   } else {
     field.complain_missing("dynamics", "give mass_kg and moment_of_inertia_kg_m2");
   }
   if (message.has_torque_limit()) {
     arm.torque = read_torque_limit(message.torque_limit(), field.child("torque_limit"));
   } else {
-    field.complain_missing("torque_limit", "give constant with min_newton_meters and max_newton_meters");
+    field.complain_missing("torque_limit", "give constant, torque_speed or table");
   }
   if (message.has_velocity_limit()) {
     arm.velocity = read_velocity_limit(message.velocity_limit(), field.child("velocity_limit"));
   } else {
     field.complain_missing("velocity_limit", "give min_rad_per_s and max_rad_per_s");
   }
-  if (message.has_dynamics()) check_acceleration(arm, field);
+  if (message.has_dynamics() && message.has_torque_limit()) {
+    check_acceleration(arm, field);
+    check_damping(arm, field);
+  }
   return arm;
 }
 

@@ -56,10 +56,6 @@ Dynamics read_dynamics(const wire::Dynamics& message, const Field& field, const 
       field.number("moment_of_inertia_kg_m2", message.moment_of_inertia_kg_m2(), ranges::kMomentOfInertia);
   const double friction = field.number("viscous_friction_newton_meter_seconds",
                                        message.viscous_friction_newton_meter_seconds(), ranges::kFriction);
-  if (friction > 0.0) {
-    field.complain_not_served("viscous_friction_newton_meter_seconds",
-                              "leave it at 0 and lower torque_limit by the friction at the highest speed used");
-  }
   const double inertia = moment + mass * arm.length * arm.length;
   if (inertia >= 0.0 && inertia < ranges::kTotalInertia.min) {
     field.complain("moment_of_inertia_kg_m2",
@@ -67,7 +63,7 @@ Dynamics read_dynamics(const wire::Dynamics& message, const Field& field, const 
                                ranges::kTotalInertia.min));
   }
   const Gravity gravity = read_gravity(message, field, mass, arm);
-  return {inertia, gravity.torque, gravity.payload, gravity.payload_phase};
+  return {inertia, gravity.torque, gravity.payload, gravity.payload_phase, friction};
 }
 
 }  // namespace dualarm

@@ -12,6 +12,7 @@ struct Dynamics {
   GravityTorque gravity;
   double payload_gravity = 0.0;
   double payload_gravity_phase = 0.0;
+  double viscous_friction = 0.0;
 };
 
 /// Needs the length and the base of the arm: mass sits at the tip, and a field is given in world axes. What is wrong

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "server/request/torque_table.h"
+
 namespace dualarm {
 namespace {
 
@@ -15,6 +17,11 @@ Interval read_constant_torque(const wire::ConstantTorque& message, const Field& 
   return torque;
 }
 
+TorqueSpeedLine read_torque_speed_line(const wire::TorqueSpeedLine& message, const Field& field) {
+  return {field.number("stall_torque_newton_meters", message.stall_torque_newton_meters(), ranges::kStallTorque),
+          field.number("no_load_speed_rad_per_s", message.no_load_speed_rad_per_s(), ranges::kNoLoadSpeed)};
+}
+
 }  // namespace
 
 Interval read_joint_range(const wire::JointRange& message, const Field& field) {
@@ -26,18 +33,16 @@ Interval read_joint_range(const wire::JointRange& message, const Field& field) {
   return range;
 }
 
-Interval read_torque_limit(const wire::TorqueLimit& message, const Field& field) {
+TorqueLimit read_torque_limit(const wire::TorqueLimit& message, const Field& field) {
   switch (message.limit_case()) {
     case wire::TorqueLimit::kConstant:
       return read_constant_torque(message.constant(), field.child("constant"));
     case wire::TorqueLimit::kTorqueSpeed:
-      field.complain_not_served("torque_speed", "give constant with the torque at the highest speed used");
-      break;
+      return read_torque_speed_line(message.torque_speed(), field.child("torque_speed"));
     case wire::TorqueLimit::kTable:
-      field.complain_not_served("table", "give constant with limits that hold everywhere");
-      break;
+      return read_torque_table(message.table(), field.child("table"));
     case wire::TorqueLimit::LIMIT_NOT_SET:
-      field.complain_missing("constant", "give min_newton_meters and max_newton_meters");
+      field.complain_missing("constant", "give min_newton_meters and max_newton_meters, or torque_speed, or table");
   }
   return {};
 }

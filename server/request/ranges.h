@@ -31,6 +31,8 @@ inline constexpr Range kFriction = {0.0, 1e12, "N m s"};
 inline constexpr Range kGravity = {0.0, 1e3, "m/s^2"};
 inline constexpr Range kFieldComponent = {-1e3, 1e3, "m/s^2"};
 inline constexpr Range kTorque = {-1e12, 1e12, "N m"};
+inline constexpr Range kStallTorque = {1e-12, 1e12, "N m"};
+inline constexpr Range kNoLoadSpeed = {1e-9, 1e6, "rad/s"};
 inline constexpr Range kMinVelocity = {-kInfinity, -1e-9, "rad/s"};
 inline constexpr Range kMaxVelocity = {1e-9, kInfinity, "rad/s"};
 inline constexpr Range kVelocity = {-1e6, 1e6, "rad/s"};
@@ -39,13 +41,25 @@ inline constexpr Range kKnotPeriod = {1e-3, 10.0, "s"};
 inline constexpr Range kStartDelay = {0.0, 1e6, "s"};
 inline constexpr Range kTime = {-1e6, 1e6, "s"};
 inline constexpr Range kResolution = {2.0, 2000.0, "points"};
+inline constexpr Range kCurveResolution = {2.0, 10000.0, "points"};
 inline constexpr Range kAny = {-1e300, 1e300, ""};
 
-inline constexpr double kDefaultKnotPeriod = 0.01;  // s
-inline constexpr int kDefaultResolution = 181;      // points along a joint range: one a degree of [0, pi]
+inline constexpr double kDefaultKnotPeriod = 0.01;   // s
+inline constexpr int kDefaultResolution = 181;       // points along a joint range: one a degree of [0, pi]
+inline constexpr int kDefaultCurveResolution = 361;  // points a curve: two a degree
 inline constexpr int kMostObjects = 1000;
 inline constexpr int kMostListed = 16;   // tasks, methods: more are refused unread
 inline constexpr int kLongestName = 64;  // characters
+
+/// Positions or velocities of a torque table, and entries in all: two tables fill a request of 4 MB, which is what a
+/// server takes by default, and a solver that follows every bend stays quick.
+inline constexpr int kMostTableLines = 1000;
+inline constexpr int kMostTableEntries = 100000;
+
+/// Most that friction and the slope of a drive's line may add up to, over the inertia (1/s), and the least speed
+/// (rad/s) at which friction may use up the largest torque.
+inline constexpr double kFastestDamping = 1e9;
+inline constexpr double kLeastTopSpeed = 1e-9;
 
 /// Two arms with this many knots fill 4 MB, and 4 MiB is what a gRPC client takes by default.
 inline constexpr int kMostKnots = 50000;

@@ -1,5 +1,7 @@
 #include "server/request/requests.h"
 
+#include <algorithm>
+
 #include "server/request/plan_options.h"
 #include "server/request/robot.h"
 #include "server/request/scene.h"
@@ -15,6 +17,12 @@ Problem read_surroundings(const Message& message, const Field& request) {
   problem.arms = read_robot(message.has_robot() ? &message.robot() : nullptr, request);
   problem.objects = read_scene(message.scene(), request.child("scene"), problem.arms);
   return problem;
+}
+
+int read_resolution(int resolution, const Range& range, int by_default, const Field& request) {
+  if (resolution == 0) return by_default;
+  request.number("resolution", resolution, range);
+  return resolution;
 }
 
 template <typename Wish>
@@ -58,11 +66,24 @@ Parsed<RegionWish> parse(const wire::GetForbiddenRegionRequest& message) {
   wish.problem = read_surroundings(message, request);
   wish.problem.options.clearance = request.number("clearance_m", message.clearance_m(), ranges::kSize);
   wish.problem.options.region_model = read_region_model(message.region_model(), request, wish.problem.arms);
-  wish.resolution = ranges::kDefaultResolution;
-  if (message.resolution() != 0) {
-    request.number("resolution", message.resolution(), ranges::kResolution);
-    wish.resolution = message.resolution();
+  wish.resolution = read_resolution(message.resolution(), ranges::kResolution, ranges::kDefaultResolution, request);
+  return wish_or_violations(std::move(wish), std::move(violations));
+}
+
+Parsed<PortraitWish> parse(const wire::GetPhasePortraitRequest& message) {
+  Violations violations;
+  const Field request("", violations);
+  PortraitWish wish;
+  wish.problem = read_surroundings(message, request);
+  if (message.has_task()) {
+    const auto [arm, task] = read_task(message.task(), request.child("task"), wish.problem.arms);
+    wish.arm = std::max(arm, 0);
+    wish.problem.tasks[wish.arm] = task;
+  } else {
+    request.complain_missing("task", "give the arm that is to be drawn, its start and its goal");
   }
+  wish.resolution =
+      read_resolution(message.resolution(), ranges::kCurveResolution, ranges::kDefaultCurveResolution, request);
   return wish_or_violations(std::move(wish), std::move(violations));
 }
 

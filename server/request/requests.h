@@ -32,8 +32,15 @@ struct RegionWish {
   int resolution = 0;
 };
 
+struct PortraitWish {
+  Problem problem;
+  int arm = 0;
+  int resolution = 0;
+};
+
 Parsed<PlanWish> parse(const wire::PlanMotionRequest& message);
 Parsed<VerifyWish> parse(const wire::VerifyMotionRequest& message);
 Parsed<RegionWish> parse(const wire::GetForbiddenRegionRequest& message);
+Parsed<PortraitWish> parse(const wire::GetPhasePortraitRequest& message);
 
 }  // namespace dualarm

@@ -8,21 +8,21 @@ namespace dualarm {
 namespace {
 
 JointState read_state(const wire::JointState& message, const Field& field) {
-  const JointState state = {field.number("position_rad", message.position_rad(), ranges::kAngle),
-                            field.number("velocity_rad_per_s", message.velocity_rad_per_s(), ranges::kVelocity)};
-  if (state.velocity != 0.0 && ranges::kVelocity.contains(state.velocity)) {
-    field.complain_not_served("velocity_rad_per_s", "start and end at rest, with 0");
-  }
-  return state;
-}
-
-Task read_task(const wire::ArmTask& message, const Field& field) {
-  if (!message.has_start()) field.complain_missing("start", "give position_rad");
-  if (!message.has_goal()) field.complain_missing("goal", "give position_rad");
-  return {read_state(message.start(), field.child("start")), read_state(message.goal(), field.child("goal"))};
+  return {field.number("position_rad", message.position_rad(), ranges::kAngle),
+          field.number("velocity_rad_per_s", message.velocity_rad_per_s(), ranges::kVelocity)};
 }
 
 }  // namespace
+
+ArmsTask read_task(const wire::ArmTask& message, const Field& task, const std::array<Arm, kArmCount>& arms) {
+  if (!message.has_start()) task.complain_missing("start", "give position_rad");
+  if (!message.has_goal()) task.complain_missing("goal", "give position_rad");
+  const int arm = index_of(arms, message.arm());
+  if (arm < 0 && has_names(arms)) {
+    task.complain("arm", fmt::format("is {}, must be {}", quoted(message.arm()), names_of(arms)));
+  }
+  return {arm, {read_state(message.start(), task.child("start")), read_state(message.goal(), task.child("goal"))}};
+}
 
 std::array<Task, kArmCount> read_tasks(const TaskMessages& messages, const Field& request,
                                        const std::array<Arm, kArmCount>& arms) {
@@ -38,11 +38,8 @@ std::array<Task, kArmCount> read_tasks(const TaskMessages& messages, const Field
   std::array<bool, kArmCount> given = {};
   for (int i = 0; i < messages.size(); ++i) {
     const Field field = request.child("tasks", i);
-    const Task task = read_task(messages[i], field);
-    const int arm = index_of(arms, messages[i].arm());
-    if (arm < 0 && has_names(arms)) {
-      field.complain("arm", fmt::format("is {}, must be {}", quoted(messages[i].arm()), names_of(arms)));
-    } else if (arm >= 0 && given[arm]) {
+    const auto [arm, task] = read_task(messages[i], field, arms);
+    if (arm >= 0 && given[arm]) {
       field.complain("arm",
                      fmt::format("is {}, which has a task already: give each arm one", quoted(messages[i].arm())));
     } else if (arm >= 0) {

@@ -21,6 +21,10 @@ wire::Reason reason_message(InfeasibleReason reason) {
       return wire::REASON_GOAL_NOT_HOLDABLE;
     case InfeasibleReason::kTorqueTooSmall:
       return wire::REASON_TORQUE_TOO_SMALL;
+    case InfeasibleReason::kStartTooFast:
+      return wire::REASON_START_TOO_FAST;
+    case InfeasibleReason::kGoalTooFast:
+      return wire::REASON_GOAL_TOO_FAST;
     case InfeasibleReason::kVelocityLimit:
       return wire::REASON_VELOCITY_LIMIT_NOT_KEEPABLE;
     case InfeasibleReason::kObjectInSweep:
@@ -35,6 +39,7 @@ wire::Evidence evidence_message(const Evidence& evidence) {
   wire::Evidence message;
   message.set_arm(evidence.arm);
   if (evidence.position) message.set_position_rad(*evidence.position);
+  if (evidence.velocity) message.set_velocity_rad_per_s(*evidence.velocity);
   if (evidence.needed_torque) message.set_needed_torque_newton_meters(*evidence.needed_torque);
   if (evidence.available_torque) message.set_available_torque_newton_meters(*evidence.available_torque);
   message.set_body_a(evidence.first_body);

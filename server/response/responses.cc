@@ -2,19 +2,12 @@
 
 #include "server/response/infeasible.h"
 #include "server/response/plan.h"
+#include "server/response/portrait.h"
+#include "server/response/undecided.h"
 #include "server/response/verification.h"
 
 namespace dualarm {
 namespace {
-
-wire::Undecided undecided_message(const Undecided& undecided) {
-  wire::Undecided message;
-  message.set_explanation(undecided.explanation);
-  for (const std::string& line : undecided.tried) message.add_tried(line);
-  message.set_spent_s(undecided.seconds_spent);
-  message.set_lower_bound_s(undecided.best_lower_bound);
-  return message;
-}
 
 wire::Statistics statistics_message(const Statistics& statistics) {
   wire::Statistics message;
@@ -66,5 +59,7 @@ wire::GetForbiddenRegionResponse response_message(const std::vector<Contour>& co
   *message.mutable_theta2_range() = range_message(problem.arms[1].joint_range);
   return message;
 }
+
+wire::GetPhasePortraitResponse response_message(const ArmPortrait& portrait) { return portrait_message(portrait); }
 
 }  // namespace dualarm

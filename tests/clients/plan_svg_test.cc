@@ -3,12 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/clients/sample_answers.h"
+#include "tests/clients/svg_paths.h"
 
 namespace dualarm {
 namespace {
@@ -16,36 +15,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-
-struct Pixel {
-  double x;
-  double y;
-};
-
-// What stands between `before` and the next quotation mark, from `position` on; moves `position` behind it.
-std::string quoted(const std::string& text, const std::string& before, std::size_t& position) {
-  const std::size_t begin = text.find(before, position);
-  if (begin == std::string::npos) return "";
-  const std::size_t end = text.find('"', begin + before.size());
-  position = end;
-  return text.substr(begin + before.size(), end - begin - before.size());
-}
-
-// The corners of the path whose style holds `mark`.
-std::vector<Pixel> path_with(const std::string& svg, const std::string& mark) {
-  for (std::size_t position = svg.find("clip-path="); position != std::string::npos;) {
-    std::string data = quoted(svg, "<path d=\"", position);
-    if (data.empty()) break;
-    if (quoted(svg, "style=\"", position).find(mark) == std::string::npos) continue;
-    std::replace_if(
-        data.begin(), data.end(), [](char c) { return c == 'M' || c == 'Z' || c == ','; }, ' ');
-    std::istringstream numbers(data);
-    std::vector<Pixel> corners;
-    for (Pixel corner{}; numbers >> corner.x >> corner.y;) corners.push_back(corner);
-    return corners;
-  }
-  return {};
-}
 
 TEST(PlanSvg, ShowsWaitingAsAStraightStretchOfTheOtherArm) {
   const std::string svg = plan_svg("two_arms", sample_request(), sample_plan(), sample_region());

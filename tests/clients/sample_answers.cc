@@ -1,5 +1,6 @@
 #include "tests/clients/sample_answers.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace dualarm {
@@ -35,6 +36,25 @@ void add_task(PlanMotionRequest& request, const std::string& arm, double from, d
   task.mutable_goal()->set_position_rad(to);
 }
 
+PhaseCurve& add_curve(GetPhasePortraitResponse& response, PhaseCurveKind kind) {
+  PhaseCurve& curve = *response.add_curves();
+  curve.set_kind(kind);
+  return curve;
+}
+
+void add_state(PhaseCurve& curve, double position, double velocity) {
+  curve.add_position_rad(position);
+  curve.add_velocity_rad_per_s(velocity);
+}
+
+Arc& add_arc(GetPhasePortraitResponse& response, ArcKind kind, double start_time) {
+  Arc& arc = *response.add_arcs();
+  arc.set_kind(kind);
+  arc.set_start_time_s(start_time);
+  arc.set_end_time_s(start_time + 1.0);
+  return arc;
+}
+
 }  // namespace
 
 PlanMotionRequest sample_request() {
@@ -68,6 +88,38 @@ PlanMotionResponse sample_infeasible() {
   PlanMotionResponse response;
   response.mutable_infeasible()->set_reason(REASON_TORQUE_TOO_SMALL);
   response.mutable_infeasible()->set_explanation("left needs 70 N m at 90 degrees and has 60 N m");
+  return response;
+}
+
+GetPhasePortraitResponse sample_portrait() {
+  GetPhasePortraitResponse response;
+  PhaseCurve& upper = add_curve(response, PHASE_CURVE_KIND_UPPER_LIMIT);
+  for (const double position : {0.0, 0.25, 0.5, 1.0, 1.25}) add_state(upper, position, 0.8);
+  PhaseCurve& lower = add_curve(response, PHASE_CURVE_KIND_LOWER_LIMIT);
+  for (int k = 0; k <= 5; ++k) add_state(lower, 0.25 * k, -0.8);
+  PhaseCurve& rising = add_curve(response, PHASE_CURVE_KIND_SWITCHING);
+  add_state(rising, 0.5, 0.7);
+  add_state(rising, 1.0, 0.0);
+  PhaseCurve& falling = add_curve(response, PHASE_CURVE_KIND_SWITCHING);
+  add_state(falling, 1.0, 0.0);
+  add_state(falling, 1.25, -0.5);
+  PhaseCurve& motion = add_curve(response, PHASE_CURVE_KIND_FASTEST_MOTION);
+  for (int k = 0; k <= 40; ++k) {
+    const double time = 0.05 * k;
+    const double left = 2.0 - time;
+    add_state(motion, time < 1.0 ? 0.5 + 0.25 * time * time : 1.0 - 0.25 * left * left, 0.5 * std::min(time, left));
+    motion.add_time_s(time);
+  }
+  Arc& first = add_arc(response, ARC_KIND_ACCELERATE, 0.0);
+  first.mutable_start()->set_position_rad(0.5);
+  first.mutable_end()->set_position_rad(0.75);
+  first.mutable_end()->set_velocity_rad_per_s(0.5);
+  Arc& second = add_arc(response, ARC_KIND_BRAKE, 1.0);
+  *second.mutable_start() = first.end();
+  second.mutable_end()->set_position_rad(1.0);
+  response.set_duration_s(2.0);
+  response.set_lower_bound_s(2.0);
+  response.set_claim(CLAIM_OPTIMAL);
   return response;
 }
 

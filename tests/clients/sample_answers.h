@@ -13,6 +13,10 @@ planning::v1::PlanMotionResponse sample_plan();
 
 planning::v1::PlanMotionResponse sample_infeasible();
 
+/// The portrait of left's motion: it accelerates for 1 s to 0.75 rad and 0.5 rad/s and brakes for 1 s; limits of
+/// 0.8 rad/s over [0, 1.25] rad, the upper one with a gap over (0.5, 1), and both branches of the switching curve.
+planning::v1::GetPhasePortraitResponse sample_portrait();
+
 /// A square from 0.2 to 0.4 rad in both directions, in joint ranges from 0 to pi.
 planning::v1::GetForbiddenRegionResponse sample_region();
 

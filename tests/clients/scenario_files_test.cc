@@ -26,8 +26,8 @@ std::vector<fs::path> scenario_files() {
 }
 
 TEST(Scenarios, AreAllThere) {
-  for (const char* name :
-       {"paper_case1", "paper_case2", "paper_case3", "paper_retreat", "paper_object", "tower_cranes", "wipers"}) {
+  for (const char* name : {"paper_case1", "paper_case2", "paper_case3", "paper_retreat", "paper_object",
+                           "portrait_paper", "moving_start", "torque_speed", "weak_swing", "tower_cranes", "wipers"}) {
     EXPECT_TRUE(fs::exists(fs::path(DUALARM_SOURCE_DIR) / "scenarios" / (std::string(name) + ".json"))) << name;
   }
 }

@@ -3,47 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "tests/support/independent_check.h"
+#include "tests/core/planner_answers.h"
 #include "tests/support/problems.h"
 
 namespace dualarm {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// Every plan of these tests has to pass the check that shares nothing with the planner or its verifier.
-Plan must_plan(const Problem& problem) {
-  Outcome outcome = plan(problem, Budget());
-  const auto* found = std::get_if<Plan>(&outcome.answer);
-  if (found == nullptr) {
-    const auto* refused = std::get_if<Infeasible>(&outcome.answer);
-    ADD_FAILURE() << "no plan: "
-                  << (refused != nullptr ? refused->explanation : std::get<Undecided>(outcome.answer).explanation);
-    return {};
-  }
-  EXPECT_TRUE(found->verification.holds());
-  EXPECT_THAT(independent_check(problem, found->trajectory), testing::IsEmpty());
-  return *found;
-}
-
-Infeasible must_refuse(const Problem& problem) {
-  Outcome outcome = plan(problem, Budget());
-  const auto* refused = std::get_if<Infeasible>(&outcome.answer);
-  if (refused == nullptr) {
-    ADD_FAILURE() << "not refused";
-    return {};
-  }
-  EXPECT_FALSE(refused->explanation.empty());
-  return *refused;
-}
-
-Object ball(const std::string& name, const Eigen::Vector3d& at, double radius) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = at;
-  return {name, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), radius}, FixedPlacement{pose}};
-}
 
 struct WorkedRow {
   std::array<double, 2> start;
@@ -125,21 +94,6 @@ TEST(Planner, KeepsTheLargestStartDelayInTheSearchToo) {
     for (const ArmTrajectory& arm : found->trajectory) EXPECT_LE(arm.start_time, 0.01);
   } else {
     EXPECT_TRUE(std::holds_alternative<Undecided>(outcome.answer));
-  }
-}
-
-TEST(Planner, DoesNotCallImpossibleWhatASwingMightDo) {
-  // theory.md, section 1.3: no monotone motion lifts a hanging arm at T/G = 0.60, a back-swing does.
-  Problem problem = paper_problem({0, 100}, {180, 100}, 0.05);
-  problem.arms[1].base.position.x() = 20.0;
-  problem.arms[0].torque = Interval{-0.6 * 29.43, 0.6 * 29.43};
-  EXPECT_EQ(must_refuse(problem).reason, InfeasibleReason::kTorqueTooSmall);
-  problem.arms[0].joint_range = {-4.0, 4.0};
-  const Outcome outcome = plan(problem, Budget());
-  EXPECT_FALSE(std::holds_alternative<Infeasible>(outcome.answer));
-  if (const auto* found = std::get_if<Plan>(&outcome.answer)) {
-    EXPECT_THAT(independent_check(problem, found->trajectory), testing::IsEmpty());
-    EXPECT_NE(found->certificate.claim, Claim::kOptimal);
   }
 }
 

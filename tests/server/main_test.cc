@@ -126,10 +126,9 @@ TEST(Server, LogsCallsThatItDoesNotServeAndRegionsThatTakeTooLong) {
   const std::string address = process.wait_for_address();
   ASSERT_NE(address, "") << process.log();
   const auto stub = wire::PlanningService::NewStub(channel_to(address));
-  grpc::ClientContext portrait_context;
-  wire::GetPhasePortraitResponse portrait;
-  EXPECT_EQ(stub->GetPhasePortrait(&portrait_context, {}, &portrait).error_code(), grpc::StatusCode::UNIMPLEMENTED);
-  EXPECT_THAT(process.log(), HasSubstr("GetPhasePortrait UNIMPLEMENTED"));
+  grpc::ClientContext stream_context;
+  EXPECT_EQ(stub->PlanMotionStream(&stream_context, {})->Finish().error_code(), grpc::StatusCode::UNIMPLEMENTED);
+  EXPECT_THAT(process.log(), HasSubstr("PlanMotionStream UNIMPLEMENTED"));
 
   wire::GetForbiddenRegionRequest request;
   *request.mutable_robot() = paper_request().robot();

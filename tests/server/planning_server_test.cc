@@ -80,13 +80,13 @@ grpc::Status answer_to_bytes(const TestServer& server, const std::string& method
 
 TEST(PlanningServer, SaysThatBytesAreNoRequest) {
   const TestServer server;
-  for (const char* method : {"PlanMotion", "VerifyMotion", "GetForbiddenRegion"}) {
+  for (const char* method : {"PlanMotion", "VerifyMotion", "GetForbiddenRegion", "GetPhasePortrait"}) {
     const grpc::Status status = answer_to_bytes(server, method, "\xff\xff\xff");
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << method;
     EXPECT_THAT(status.error_message(), HasSubstr(std::string("is not a dualarm.planning.v1.") + method + "Request"));
   }
   EXPECT_EQ(answer_to_bytes(server, "NoSuchMethod", "").error_code(), grpc::StatusCode::UNIMPLEMENTED);
-  EXPECT_EQ(answer_to_bytes(server, "GetPhasePortrait", "").error_code(), grpc::StatusCode::UNIMPLEMENTED);
+  EXPECT_EQ(answer_to_bytes(server, "PlanMotionBatch", "").error_code(), grpc::StatusCode::UNIMPLEMENTED);
 }
 
 TEST(PlanningServer, ListensOnAFreePortAndSaysWhich) {

@@ -173,20 +173,14 @@ TEST(PlanningService, ACallerWhoCancelsStopsTheForbiddenRegion) {
 
 TEST(PlanningService, SaysWhatIsNotServedAndWhatIs) {
   const TestServer server;
-  grpc::ClientContext portrait_context;
-  wire::GetPhasePortraitResponse portrait;
-  const grpc::Status no_portrait = server.stub()->GetPhasePortrait(&portrait_context, {}, &portrait);
-  EXPECT_EQ(no_portrait.error_code(), Code::UNIMPLEMENTED);
-  EXPECT_THAT(no_portrait.error_message(), HasSubstr("GetPhasePortrait is not served by this version"));
-  EXPECT_EQ(detail_of<google::rpc::ErrorInfo>(no_portrait).reason(), "NOT_SERVED");
-
   grpc::ClientContext stream_context;
   wire::PlanMotionStreamResponse event;
   const auto stream = server.stub()->PlanMotionStream(&stream_context, {});
   EXPECT_FALSE(stream->Read(&event));
   const grpc::Status no_stream = stream->Finish();
   EXPECT_EQ(no_stream.error_code(), Code::UNIMPLEMENTED);
-  EXPECT_THAT(no_stream.error_message(), HasSubstr("call PlanMotion"));
+  EXPECT_THAT(no_stream.error_message(), HasSubstr("PlanMotionStream is not served by this version: call PlanMotion"));
+  EXPECT_EQ(detail_of<google::rpc::ErrorInfo>(no_stream).reason(), "NOT_SERVED");
 
   grpc::ClientContext batch_context;
   const auto batch = server.stub()->PlanMotionBatch(&batch_context);

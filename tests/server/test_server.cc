@@ -31,6 +31,9 @@ PlanningFunctions quick_functions() {
           },
           [](const Problem&, int, const Budget&) {
             return std::vector<Contour>{{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+          },
+          [](const Problem&, int, int, const Budget&) {
+            return ArmPortrait{{}, Undecided{"quick", {}, 0.0, 0.0}};
           }};
 }
 

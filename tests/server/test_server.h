@@ -23,7 +23,8 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Functions that answer at once: an Undecided, a Verification without violations, one contour.
+/// Functions that answer at once: an Undecided, a Verification without violations, one contour, a portrait
+/// without curves.
 PlanningFunctions quick_functions();
 
 /// Default options but for the address, or for a planning budget that only a failing test uses up.

@@ -5,6 +5,8 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <sstream>
+#include <utility>
+#include <variant>
 
 #include "tests/support/exact_distance.h"
 
@@ -16,6 +18,7 @@ constexpr double kDistanceTolerance = 1e-6;   // m
 constexpr double kTouching = 1e-12;           // m, what rounding leaves of bare segments that cross
 constexpr double kShareTolerance = 1e-5;      // of a limit's span
 constexpr double kLongestIntegration = 0.25;  // s; then again from a knot, since standing arms are unstable
+constexpr double kOnABend = 1e-9;             // rad and rad/s, this close a state is on a bend of the limits
 constexpr int kInstants = 10000;
 
 using State = std::array<double, 2>;
@@ -28,10 +31,67 @@ std::string words(const Parts&... parts) {
   return text.str();
 }
 
-/// Torque at a time by Lagrange's polynomial through up to four knots around it, all between the same two switches.
-double torque_at(const std::vector<Knot>& knots, std::size_t first, std::size_t last, std::size_t k, double time) {
-  const std::size_t begin = k > first ? k - 1 : first;
-  const std::size_t end = std::min(last, k + 2);
+/// Where a value lies on a grid, clamped to it: the entry below, and the share of the way to the next one.
+std::pair<std::size_t, long double> place_on(const std::vector<double>& grid, long double value) {
+  if (value <= grid.front()) return {0, 0.0L};
+  for (std::size_t i = 0; i + 1 < grid.size(); ++i) {
+    const long double from = grid[i];
+    if (value < grid[i + 1]) return {i, (value - from) / (grid[i + 1] - from)};
+  }
+  return {grid.size() - 1, 0.0L};
+}
+
+struct Limits {
+  long double lower = 0.0L;
+  long double upper = 0.0L;
+};
+
+/// What the drive can give in a state, by the definitions of the limits and not by the code of core/model.
+Limits limits_at(const TorqueLimit& limit, long double position, long double velocity) {
+  if (const auto* constant = std::get_if<Interval>(&limit)) return {constant->lower, constant->upper};
+  if (const auto* line = std::get_if<TorqueSpeedLine>(&limit)) {
+    const long double stall = line->stall_torque;
+    const long double left = std::max(0.0L, stall - stall / line->no_load_speed * std::abs(velocity));
+    return {velocity < 0.0L ? -left : -stall, velocity > 0.0L ? left : stall};
+  }
+  const TorqueTable& table = std::get<TorqueTable>(limit);
+  const auto [row, to_next_row] = place_on(table.positions, position);
+  const auto [column, to_next_column] = place_on(table.velocities, velocity);
+  Limits sum;
+  for (const std::size_t down : {0, 1}) {
+    for (const std::size_t across : {0, 1}) {
+      const long double weight =
+          (down == 1 ? to_next_row : 1.0L - to_next_row) * (across == 1 ? to_next_column : 1.0L - to_next_column);
+      if (weight == 0.0L) continue;  // as on the last row and column, which have no next one
+      const Interval& corner = table.limits[(row + down) * table.velocities.size() + column + across];
+      sum.lower += weight * corner.lower;
+      sum.upper += weight * corner.upper;
+    }
+  }
+  return sum;
+}
+
+/// Whether the limits have a bend between two values of a coordinate.
+bool bends_between(const std::vector<double>& bends, double before, double after) {
+  const auto [low, high] = std::minmax({before, after});
+  return std::any_of(bends.begin(), bends.end(),
+                     [low = low + kOnABend, high = high - kOnABend](double bend) { return low < bend && bend < high; });
+}
+
+/// Whether full torque may have a bend at knot k: the limits have one between its neighbours.
+bool may_bend(const TorqueLimit& limit, const std::vector<Knot>& knots, std::size_t k) {
+  const Knot& before = knots[k - 1];
+  const Knot& after = knots[k + 1];
+  if (const auto* line = std::get_if<TorqueSpeedLine>(&limit)) {
+    return bends_between({-line->no_load_speed, 0.0, line->no_load_speed}, before.velocity, after.velocity);
+  }
+  const auto* table = std::get_if<TorqueTable>(&limit);
+  return table != nullptr && (bends_between(table->positions, before.position, after.position) ||
+                              bends_between(table->velocities, before.velocity, after.velocity));
+}
+
+/// Torque at a time by Lagrange's polynomial through the knots from `begin` to `end`.
+double torque_at(const std::vector<Knot>& knots, std::size_t begin, std::size_t end, double time) {
   double torque = 0.0;
   for (std::size_t i = begin; i <= end; ++i) {
     double weight = 1.0;
@@ -43,6 +103,15 @@ double torque_at(const std::vector<Knot>& knots, std::size_t first, std::size_t 
   return torque;
 }
 
+void check_torque(const Arm& arm, const State& state, double torque, double time,
+                  std::vector<std::string>& complaints) {
+  const Limits limits = limits_at(arm.torque, state[0], state[1]);
+  const long double slack = kShareTolerance * (limits.upper - limits.lower);
+  if (torque >= limits.lower - slack && torque <= limits.upper + slack) return;
+  complaints.push_back(words(arm.name, ": torque ", torque, " N m at ", time, " s, beyond ", limits.lower, " and ",
+                             limits.upper, " N m"));
+}
+
 /// Integrates the knots from `first` to `last`, between which no time repeats.
 void check_dynamics(const Arm& arm, const std::vector<Knot>& knots, std::size_t first, std::size_t last,
                     std::vector<std::string>& complaints) {
@@ -51,13 +120,18 @@ void check_dynamics(const Arm& arm, const std::vector<Knot>& knots, std::size_t 
   State state = {knots[first].position, knots[first].velocity};
   double begun = knots[first].time;
   for (std::size_t k = first; k < last; ++k) {
+    const std::size_t from = k > first && !may_bend(arm.torque, knots, k) ? k - 1 : k;
+    const std::size_t to = k + 2 <= last && !may_bend(arm.torque, knots, k + 1) ? k + 2 : k + 1;
     const auto motion = [&](const State& x, State& rate, double time) {
-      const double torque = torque_at(knots, first, last, k, time);
-      rate = {x[1], (torque - arm.gravity.amplitude * std::sin(x[0] - arm.gravity.phase)) / arm.inertia};
+      const double held = arm.gravity.amplitude * std::sin(x[0] - arm.gravity.phase) + arm.viscous_friction * x[1];
+      rate = {x[1], (torque_at(knots, from, to, time) - held) / arm.inertia};
     };
     const double h = knots[k + 1].time - knots[k].time;
-    odeint::integrate_adaptive(odeint::make_controlled(1e-12, 1e-12, odeint::runge_kutta_dopri5<State>()), motion,
-                               state, knots[k].time, knots[k + 1].time, std::min(h, 0.01));
+    const double middle = knots[k].time + 0.5 * h;
+    const auto stepper = odeint::make_controlled(1e-12, 1e-12, odeint::runge_kutta_dopri5<State>());
+    odeint::integrate_adaptive(stepper, motion, state, knots[k].time, middle, std::min(0.5 * h, 0.01));
+    check_torque(arm, state, torque_at(knots, from, to, middle), middle, complaints);
+    odeint::integrate_adaptive(stepper, motion, state, middle, knots[k + 1].time, std::min(0.5 * h, 0.01));
     const Knot& reached = knots[k + 1];
     const double off = std::max(std::abs(state[0] - reached.position), std::abs(state[1] - reached.velocity));
     if (!(off <= kStateTolerance + 1e-12 * std::exp(growth * h))) {
@@ -71,11 +145,8 @@ void check_dynamics(const Arm& arm, const std::vector<Knot>& knots, std::size_t 
 }
 
 void check_limits(const Arm& arm, const std::vector<Knot>& knots, std::vector<std::string>& complaints) {
-  const double torque_slack = kShareTolerance * torque_bounds(arm.torque).length();
   for (const Knot& knot : knots) {
-    if (!(knot.torque >= std::get<Interval>(arm.torque).lower - torque_slack && knot.torque <= std::get<Interval>(arm.torque).upper + torque_slack)) {
-      complaints.push_back(words(arm.name, ": torque ", knot.torque, " N m at ", knot.time, " s"));
-    }
+    check_torque(arm, {knot.position, knot.velocity}, knot.torque, knot.time, complaints);
     if (!(knot.velocity >= arm.velocity.lower - kStateTolerance &&
           knot.velocity <= arm.velocity.upper + kStateTolerance)) {
       complaints.push_back(words(arm.name, ": velocity ", knot.velocity, " rad/s at ", knot.time, " s"));

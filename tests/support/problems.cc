@@ -1,9 +1,11 @@
 #include "tests/support/problems.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "tests/support/exact_distance.h"
 
@@ -43,6 +45,31 @@ Arm random_arm(Dice& dice, const std::string& name) {
     arm.velocity = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
   return arm;
+}
+
+/// Between 2 and 6 numbers from `least` to `most`, strictly ascending.
+std::vector<double> random_grid(Dice& dice, double least, double most) {
+  const int count = 2 + dice.one_of(5);
+  std::vector<double> grid;
+  for (int i = 0; i < count; ++i) {
+    grid.push_back(least +
+                   (most - least) * (i + (i == 0 || i == count - 1 ? 0.0 : dice.between(-0.4, 0.4))) / (count - 1));
+  }
+  return grid;
+}
+
+/// Uneven everywhere, and fading with speed in the driving quadrant.
+TorqueTable random_torque_table(Dice& dice, std::vector<double> positions, std::vector<double> velocities,
+                                double strength) {
+  TorqueTable table = {std::move(positions), std::move(velocities), {}};
+  for (std::size_t row = 0; row < table.positions.size(); ++row) {
+    for (const double velocity : table.velocities) {
+      const double lower = strength * dice.between(0.85, 1.3) * (1.0 - 0.15 * std::max(0.0, -velocity));
+      const double upper = strength * dice.between(0.85, 1.3) * (1.0 - 0.15 * std::max(0.0, velocity));
+      table.limits.push_back({-lower, upper});
+    }
+  }
+  return table;
 }
 
 /// Both arms face each other along a random direction; mirrored, both turn the other way round.
@@ -113,6 +140,63 @@ Problem random_problem(std::uint64_t seed) {
   problem.options.seed = seed;
   place(dice, problem);
   draw_tasks(dice, problem);
+  return problem;
+}
+
+const char* name_of(DriveModel model) {
+  switch (model) {
+    case DriveModel::kAsymmetric:
+      return "Asymmetric";
+    case DriveModel::kTorqueSpeedLine:
+      return "TorqueSpeedLine";
+    case DriveModel::kPositionTable:
+      return "PositionTable";
+    case DriveModel::kVelocityTable:
+      return "VelocityTable";
+    case DriveModel::kTable:
+      return "Table";
+  }
+  return "";
+}
+
+TorqueLimit random_torque_limit(std::uint64_t seed, DriveModel model, double strength) {
+  Dice dice(seed);
+  if (model == DriveModel::kAsymmetric) {
+    const double ratio = std::exp(dice.between(std::log(0.4), std::log(2.5)));
+    return Interval{-strength * ratio, strength};
+  }
+  if (model == DriveModel::kTorqueSpeedLine) {
+    const double stall = strength * dice.between(0.9, 1.5);
+    return TorqueSpeedLine{stall, dice.between(1.0, 6.0)};
+  }
+  const bool has_positions = model != DriveModel::kVelocityTable;
+  const bool has_velocities = model != DriveModel::kPositionTable;
+  std::vector<double> positions = has_positions ? random_grid(dice, -0.2, 3.4) : std::vector<double>{0.0};
+  std::vector<double> velocities = has_velocities ? random_grid(dice, -3.0, 3.0) : std::vector<double>{0.0};
+  return random_torque_table(dice, std::move(positions), std::move(velocities), strength);
+}
+
+Problem random_problem(std::uint64_t seed, DriveModel model, bool has_friction) {
+  Problem problem = random_problem(seed);
+  Dice dice(seed + 0x9e3779b97f4a7c15u);  // apart from the stream of the problem itself
+  for (int i = 0; i < kArmCount; ++i) {
+    Arm& arm = problem.arms[i];
+    const double strength = std::get<Interval>(arm.torque).upper;
+    arm.torque = random_torque_limit(2 * seed + i, model, strength);
+    if (has_friction) arm.viscous_friction = strength * dice.between(0.0, 0.1);
+  }
+  return problem;
+}
+
+Problem with_moving_ends(Problem problem, std::uint64_t seed, double fastest) {
+  Dice dice(seed);
+  for (int i = 0; i < kArmCount; ++i) {
+    const Interval limits = problem.arms[i].velocity;
+    for (JointState* state : {&problem.tasks[i].start, &problem.tasks[i].goal}) {
+      const double drawn = dice.between(std::max(-fastest, limits.lower), std::min(fastest, limits.upper));
+      state->velocity = dice.happens(0.25) ? 0.0 : drawn;
+    }
+  }
   return problem;
 }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <random>
 #include <set>
 
 #include "core/coordination/start_times.h"
@@ -16,7 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Both arms of a problem with their fastest motions.
+/// Both arms of a problem with their fastest motions, or with motions of their own.
 struct Pair {
   explicit Pair(const Problem& problem) : systems{SingleJointArm(problem.arms[0]), SingleJointArm(problem.arms[1])} {
     for (int i = 0; i < kArmCount; ++i) {
@@ -24,6 +26,19 @@ struct Pair {
       if (auto* fastest = std::get_if<FastestMotion>(&motion)) profiles.push_back(std::move(fastest->profile));
     }
   }
+
+  /// A motion of an arm that rests at each of the positions: it turns back where they do.
+  std::optional<Profile> wandering(int arm, const std::vector<double>& positions) const {
+    std::vector<Arc> arcs;
+    for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
+      const auto motion = fastest_motion(systems[arm], positions[i], positions[i + 1], Swings::kSkip);
+      const auto* fastest = std::get_if<FastestMotion>(&motion);
+      if (fastest == nullptr) return std::nullopt;
+      arcs.insert(arcs.end(), fastest->profile.arcs().begin(), fastest->profile.arcs().end());
+    }
+    return arcs.empty() ? Profile(systems[arm], positions.front()) : Profile(systems[arm], std::move(arcs));
+  }
+
   std::array<SingleJointArm, kArmCount> systems;
   std::vector<Profile> profiles;
 };
@@ -65,6 +80,79 @@ class BruteForce {
   std::vector<std::vector<double>> tables_;
 };
 
+/// Delays against the scan, both ways: coarsely over all of them, and every step near the ends.
+void expect_like_brute_force(const BruteForce& brute, const IntervalSet& delays) {
+  std::set<int> tried;
+  for (int delay = -450; delay <= 450; delay += 30) tried.insert(delay);
+  for (const Interval& interval : delays.intervals()) {
+    for (const double end : {interval.lower, interval.upper}) {
+      if (!std::isfinite(end)) continue;
+      for (int offset = -6; offset <= 6; ++offset) tried.insert(static_cast<int>(end / brute.step()) + offset);
+    }
+  }
+  for (const int delay : tried) {
+    const double value = delay * brute.step();
+    const bool collides = brute.collides(delay);
+    // Never smaller: what the scan sees colliding lies inside the forbidden set.
+    EXPECT_TRUE(!collides || delays.contains(value)) << "delay " << value;
+    // None missed: what is forbidden with room to spare on both sides, the scan sees, too. It may look away for a
+    // step, during which the arms may touch by less than they travel in it.
+    const bool deep = delays.covers({value - 2.0 * brute.step(), value + 2.0 * brute.step()});
+    if (deep && !collides) {
+      bool near = false;
+      for (int other = delay - 2; other <= delay + 2; ++other) near = near || brute.collides(other);
+      EXPECT_TRUE(near) << "delay " << value;
+    }
+  }
+}
+
+/// Just outside a finite end the motions keep the clearance, just inside they break it: sought by the finest scan near
+/// the touch instead of by projection. Returns the number of ends.
+int expect_exact_ends(const Problem& problem, const Pair& pair) {
+  const Profile& first = pair.profiles[0];
+  const Profile& second = pair.profiles[1];
+  const ForbiddenSet forbidden(problem, problem.options.clearance);
+  const auto collides = [&](double delay) {
+    const double from = std::min(0.0, delay);
+    const double to = std::max(first.duration(), second.duration() + delay);
+    for (int i = 0; i <= 4000; ++i) {
+      const double time = from + (to - from) * i / 4000.0;
+      if (forbidden.contains(first.at(time).position, second.at(time - delay).position)) return true;
+    }
+    return false;
+  };
+  int ends = 0;
+  for (const Interval& interval : forbidden_delays(forbidden, first, second, Budget()).value().intervals()) {
+    for (const double end : {interval.lower, interval.upper}) {
+      if (!std::isfinite(end)) continue;
+      ++ends;
+      const double outward = end == interval.lower ? -1.0 : 1.0;
+      EXPECT_FALSE(collides(end + outward * 1e-7)) << "end " << end;
+      EXPECT_TRUE(collides(end - outward * 2e-3 * first.duration())) << "end " << end;
+    }
+  }
+  return ends;
+}
+
+/// Two arms that wander: up to three rests on the way, turning back or not; nothing where an arm cannot.
+std::vector<Profile> wandering_motions(const Problem& problem, const Pair& pair, std::mt19937_64& generator) {
+  std::vector<Profile> profiles;
+  for (int arm = 0; arm < kArmCount; ++arm) {
+    const Task& task = problem.tasks[arm];
+    std::vector<double> positions = {task.start.position};
+    for (std::uint64_t rests = generator() % 4; rests > 0; --rests) {
+      const double reach = std::uniform_real_distribution<double>(-0.5, 0.5)(generator);
+      const double position = std::clamp(positions.back() + reach, 0.0, std::numbers::pi);
+      if (position != positions.back()) positions.push_back(position);
+    }
+    if (task.goal.position != positions.back()) positions.push_back(task.goal.position);
+    auto profile = pair.wandering(arm, positions);
+    if (!profile) return {};
+    profiles.push_back(std::move(*profile));
+  }
+  return profiles;
+}
+
 TEST(ForbiddenDelays, OfThePapersArmsEndAtTheWorkedDelays) {
   // theory.md, section 4: best delay plan of each row, r = 0.
   const double rows[][5] = {{30, 60, 60, 30, 1.500925},
@@ -77,8 +165,8 @@ TEST(ForbiddenDelays, OfThePapersArmsEndAtTheWorkedDelays) {
     const Pair pair(problem);
     const IntervalSet delays =
         *forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1], Budget());
-    const auto times = best_start_times(delays.complement({-kInfinity, kInfinity}), pair.profiles[0].duration(),
-                                        pair.profiles[1].duration(), kInfinity);
+    const auto times = best_start_times(delays.complement({-kInfinity, kInfinity}), timing_of(pair.profiles[0]),
+                                        timing_of(pair.profiles[1]), kInfinity);
     ASSERT_TRUE(times);
     EXPECT_NEAR(times->duration, seconds, 1e-6) << start1 << " " << start2;
   }
@@ -112,6 +200,7 @@ TEST(ForbiddenDelays, EqualABruteForceScanOnRandomScenes) {
   int constrained = 0;
   for (int scene = 0; constrained < 500; ++scene) {
     ASSERT_LT(scene, 20000) << "too few scenes need a delay";
+    SCOPED_TRACE(scene);
     const Problem problem = random_problem(scene);
     const Pair pair(problem);
     if (pair.profiles.size() != 2) continue;
@@ -120,31 +209,63 @@ TEST(ForbiddenDelays, EqualABruteForceScanOnRandomScenes) {
         *forbidden_delays(ForbiddenSet(problem, clearance), pair.profiles[0], pair.profiles[1], Budget());
     if (delays.empty() || delays.covers({-kInfinity, kInfinity})) continue;
     ++constrained;
-    const BruteForce brute(problem, clearance, pair);
-    // Coarsely over all delays, and every step near the ends.
-    std::set<int> tried;
-    for (int delay = -450; delay <= 450; delay += 30) tried.insert(delay);
-    for (const Interval& interval : delays.intervals()) {
-      for (const double end : {interval.lower, interval.upper}) {
-        if (!std::isfinite(end)) continue;
-        for (int offset = -6; offset <= 6; ++offset) tried.insert(static_cast<int>(end / brute.step()) + offset);
-      }
-    }
-    for (const int delay : tried) {
-      const double value = delay * brute.step();
-      const bool collides = brute.collides(delay);
-      // Never smaller: what the scan sees colliding lies inside the forbidden set.
-      EXPECT_TRUE(!collides || delays.contains(value)) << "scene " << scene << " delay " << value;
-      // None missed: what is forbidden with room to spare on both sides, the scan sees, too. It may look away for a
-      // step, during which the arms may touch by less than they travel in it.
-      const bool deep = delays.covers({value - 2.0 * brute.step(), value + 2.0 * brute.step()});
-      if (deep && !collides) {
-        bool near = false;
-        for (int other = delay - 2; other <= delay + 2; ++other) near = near || brute.collides(other);
-        EXPECT_TRUE(near) << "scene " << scene << " delay " << value;
-      }
-    }
+    expect_like_brute_force(BruteForce(problem, clearance, pair), delays);
   }
+}
+
+TEST(ForbiddenDelays, EqualABruteForceScanForMotionsThatTurnBack) {
+  int constrained = 0;
+  int turning = 0;
+  for (int scene = 0; constrained < 300; ++scene) {
+    ASSERT_LT(scene, 20000) << "too few scenes need a delay";
+    SCOPED_TRACE(scene);
+    const Problem problem = random_problem(scene);
+    std::mt19937_64 generator(scene);
+    Pair pair(problem);
+    pair.profiles = wandering_motions(problem, pair, generator);
+    if (pair.profiles.empty()) continue;
+    const double clearance = problem.options.clearance;
+    const IntervalSet delays =
+        *forbidden_delays(ForbiddenSet(problem, clearance), pair.profiles[0], pair.profiles[1], Budget());
+    if (delays.empty() || delays.covers({-kInfinity, kInfinity})) continue;
+    ++constrained;
+    if (pair.profiles[0].legs().size() > 1 && pair.profiles[1].legs().size() > 1) ++turning;
+    expect_like_brute_force(BruteForce(problem, clearance, pair), delays);
+  }
+  EXPECT_GT(turning, 50);
+}
+
+TEST(ForbiddenDelays, OfMotionsThatTurnBackEndWhereTheyTouchExactly) {
+  int ends = 0;
+  for (int scene = 0; ends < 100; ++scene) {
+    ASSERT_LT(scene, 20000);
+    SCOPED_TRACE(scene);
+    const Problem problem = random_problem(scene);
+    std::mt19937_64 generator(scene);
+    Pair pair(problem);
+    pair.profiles = wandering_motions(problem, pair, generator);
+    if (!pair.profiles.empty()) ends += expect_exact_ends(problem, pair);
+  }
+}
+
+TEST(ForbiddenDelays, SeeAnArmThatSwingsIntoTheOtherAndBack) {
+  // Start and goal of arm 1 are one position out of the way of arm 2, which stands; in between it swings into it.
+  const Problem problem = paper_problem({100, 30}, {100, 30}, 0.05);
+  Pair pair(problem);
+  const auto degrees = [](double value) { return value * std::numbers::pi / 180.0; };
+  pair.profiles[0] = pair.wandering(0, {degrees(100), degrees(20), degrees(100)}).value();
+  const ForbiddenSet forbidden(problem, 0.0);
+  ASSERT_TRUE(forbidden.contains(degrees(20), degrees(30)));
+  EXPECT_TRUE(forbidden_delays(forbidden, pair.profiles[0], pair.profiles[1], Budget())
+                  .value()
+                  .covers({-kInfinity, kInfinity}));
+  // The other way round: the arm that swings is the second one.
+  const Problem exchanged = paper_problem({30, 100}, {30, 100}, 0.05);
+  Pair other(exchanged);
+  other.profiles[1] = other.wandering(1, {degrees(100), degrees(20), degrees(100)}).value();
+  EXPECT_TRUE(forbidden_delays(ForbiddenSet(exchanged, 0.0), other.profiles[0], other.profiles[1], Budget())
+                  .value()
+                  .covers({-kInfinity, kInfinity}));
 }
 
 /// Every safe interval between forbidden ones is wide enough to be meant and free in its middle.
@@ -196,36 +317,13 @@ TEST(ForbiddenDelays, AreNotGivenOnceTheBudgetIsGone) {
 }
 
 TEST(ForbiddenDelays, HaveEndsAtWhichTheMotionsTouchExactly) {
-  // Just outside an end the motions keep the clearance, just inside they break it: sought by the finest scan near the
-  // touch instead of by projection.
   int ends = 0;
   for (int scene = 0; ends < 100; ++scene) {
     ASSERT_LT(scene, 20000);
+    SCOPED_TRACE(scene);
     const Problem problem = random_problem(scene);
     const Pair pair(problem);
-    if (pair.profiles.size() != 2) continue;
-    const ForbiddenSet forbidden(problem, problem.options.clearance);
-    for (const Interval& interval :
-         forbidden_delays(forbidden, pair.profiles[0], pair.profiles[1], Budget()).value().intervals()) {
-      for (const double end : {interval.lower, interval.upper}) {
-        if (!std::isfinite(end)) continue;
-        ++ends;
-        const double outward = end == interval.lower ? -1.0 : 1.0;
-        const auto collides = [&](double delay) {
-          const double from = std::min(0.0, delay);
-          const double to = std::max(pair.profiles[0].duration(), pair.profiles[1].duration() + delay);
-          for (int i = 0; i <= 4000; ++i) {
-            const double time = from + (to - from) * i / 4000.0;
-            if (forbidden.contains(pair.profiles[0].at(time).position, pair.profiles[1].at(time - delay).position)) {
-              return true;
-            }
-          }
-          return false;
-        };
-        EXPECT_FALSE(collides(end + outward * 1e-7)) << "scene " << scene << " end " << end;
-        EXPECT_TRUE(collides(end - outward * 2e-3 * pair.profiles[0].duration())) << "scene " << scene << " " << end;
-      }
-    }
+    if (pair.profiles.size() == 2) ends += expect_exact_ends(problem, pair);
   }
 }
 

@@ -93,5 +93,21 @@ TEST(ClearanceProof, HoldsForArmsThatRestApart) {
   EXPECT_TRUE(proof.proves({Track{{0.0, &first}}, Track{{0.0, &second}}}));
 }
 
+TEST(ClearanceProof, SeesAMotionThatSwingsIntoTheOtherArmAndBack) {
+  const Problem problem = retreat_problem();
+  const ArmSystems arms(problem);
+  const ClearanceProof proof(problem, kClearance);
+  const double away = 100.0 * kDegree;
+  const double into = 20.0 * kDegree;
+  std::vector<Arc> arcs = steer(*arms.both()[0], away, into).value().arcs();
+  const Profile back = steer(*arms.both()[0], into, away).value();
+  arcs.insert(arcs.end(), back.arcs().begin(), back.arcs().end());
+  const ProfileTable swing(Profile(*arms.both()[0], arcs));
+  const ProfileTable in_the_way(*steer(*arms.both()[1], 30.0 * kDegree, 30.0 * kDegree));
+  const ProfileTable out_of_the_way(*steer(*arms.both()[1], 150.0 * kDegree, 150.0 * kDegree));
+  EXPECT_FALSE(proof.proves({Track{{0.0, &swing}}, Track{{0.0, &in_the_way}}}));
+  EXPECT_TRUE(proof.proves({Track{{0.0, &swing}}, Track{{0.0, &out_of_the_way}}}));
+}
+
 }  // namespace
 }  // namespace dualarm

@@ -54,6 +54,20 @@ TEST_P(Retreat, IsFoundNearTheProvenBoundWhereNoDelayExists) {
 
 INSTANTIATE_TEST_SUITE_P(TwentySeeds, Retreat, ::testing::Range(0, 20));
 
+TEST(SearchStateTime, FindsTheRetreatOfArmsWhoseTorqueDependsOnTheVelocity) {
+  Problem problem = retreat_problem();
+  for (Arm& arm : problem.arms) {
+    arm.torque = TorqueSpeedLine{60.0, 3.0};
+    arm.viscous_friction = 4.0;
+  }
+  const ArmSystems arms(problem);
+  const SearchResult result = search(problem, arms, 1000);
+  ASSERT_TRUE(result.schedule);
+  expect_consistent(problem, *result.schedule, result.duration);
+  EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
+  EXPECT_GT(result.duration, kRetreatBound);  // the same arms with more torque
+}
+
 TEST(SearchStateTime, GivesTheSameScheduleForTheSameSeedAlsoFourAtOnce) {
   Problem problem = retreat_problem();
   problem.options.seed = 42;

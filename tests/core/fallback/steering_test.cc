@@ -34,14 +34,22 @@ TEST(Steering, FindsNoWayOutOfTheJointRange) {
   EXPECT_TRUE(std::isinf(monotone_time(arms.both(), kFrom, {4.0, 0.3})));
 }
 
-TEST(Steering, OfAWeakArmPromisesNoMinimum) {
+TEST(Steering, OfAWeakArmPromisesLessThanItsMonotoneMotionTakes) {
   Problem problem = retreat_problem();
   problem.arms[0].torque = Interval{-25.0, 25.0};  // gravity needs up to 29.43
   const ArmSystems arms(problem);
   const JointPair from = {10.0 * kDegree, 0.5};
   const JointPair to = {20.0 * kDegree, 0.5};
   EXPECT_GT(monotone_time(arms.both(), from, to), 0.0);
-  EXPECT_EQ(minimum_time(arms.both(), from, to), 0.0);
+  EXPECT_GT(minimum_time(arms.both(), from, to), 0.0);
+  EXPECT_LT(minimum_time(arms.both(), from, to), monotone_time(arms.both(), from, to));
+}
+
+TEST(Steering, KnowsWhereNoMotionOfAnyKindExists) {
+  Problem problem = retreat_problem();
+  problem.arms[0].torque = Interval{-17.0, 17.0};  // 0.578 of gravity's most: nothing passes (theory, section 1.3)
+  const ArmSystems arms(problem);
+  EXPECT_TRUE(std::isinf(minimum_time(arms.both(), {0.1, 0.5}, {3.0, 0.5})));
 }
 
 TEST(Steering, HoldsOnlyWhereTorqueSufficesAndInsideTheRange) {

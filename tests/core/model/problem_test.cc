@@ -122,6 +122,15 @@ TEST(LoadedArm, AddsTheTorqueOfTheLoadsWeightWhereItsCentreIs) {
   }
 }
 
+TEST(LoadedArm, KeepsItsFrictionAndItsTorqueLimits) {
+  Problem problem = two_arms();
+  problem.arms[0].viscous_friction = 2.5;
+  problem.arms[0].torque = TorqueSpeedLine{60.0, 3.0};
+  problem.objects = {carried(0, {1.8, 0.3, 0.0}, 0.9, 1.0, 0.1, 4.0)};
+  EXPECT_EQ(loaded_arm(problem, 0).viscous_friction, 2.5);
+  EXPECT_EQ(loaded_arm(problem, 0).torque, problem.arms[0].torque);
+}
+
 TEST(PlanOptions, AllowEveryMethodUnlessSomeAreNamed) {
   PlanOptions options;
   EXPECT_TRUE(options.allows(Method::kStateTime));

@@ -14,14 +14,15 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+/// Motions that turn back are the matter of swing_test.cc and turns_test.cc.
 FastestMotion must_move(const SingleJointArm& system, double start, double goal) {
-  auto result = fastest_motion(system, start, goal);
+  auto result = fastest_motion(system, start, goal, Swings::kSkip);
   EXPECT_TRUE(std::holds_alternative<FastestMotion>(result)) << start << " -> " << goal;
   return std::get<FastestMotion>(std::move(result));
 }
 
 Blocked must_block(const SingleJointArm& system, double start, double goal) {
-  auto result = fastest_motion(system, start, goal);
+  auto result = fastest_motion(system, start, goal, Swings::kSkip);
   EXPECT_TRUE(std::holds_alternative<Blocked>(result)) << start << " -> " << goal;
   return std::get<Blocked>(result);
 }

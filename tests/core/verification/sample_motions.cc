@@ -1,6 +1,7 @@
 #include "tests/core/verification/sample_motions.h"
 
 #include <algorithm>
+#include <boost/numeric/odeint.hpp>
 #include <cmath>
 
 #include "tests/support/problems.h"
@@ -33,6 +34,61 @@ double half_time(const Arm& arm, const Task& task) {
   return std::sqrt(std::abs(task.goal.position - task.start.position) * arm.inertia /
                    std::get<Interval>(arm.torque).upper);
 }
+
+using LongState = std::array<long double, 2>;
+
+/// One arm under one effort, in long double.
+class DrivenArm {
+ public:
+  DrivenArm(const Arm& arm, Effort effort) : arm_(arm), effort_(effort) {}
+
+  long double acceleration(const LongState& x) const {
+    if (effort_ == Effort::kSteady) return 0.0L;
+    const Interval limits = torque_limits(arm_.torque, static_cast<double>(x[0]), static_cast<double>(x[1]));
+    return ((effort_ == Effort::kUpward ? limits.upper : limits.lower) - resistance(x)) / arm_.inertia;
+  }
+
+  Knot knot(double time, const LongState& x) const {
+    const long double along = acceleration(x);
+    return {time, static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(along),
+            static_cast<double>(arm_.inertia * along + resistance(x))};
+  }
+
+  LongState after(LongState x, long double duration) const {
+    constexpr int kSteps = 4;
+    boost::numeric::odeint::runge_kutta_fehlberg78<LongState, long double> stepper;
+    const auto motion = [this](const LongState& at, LongState& rate, long double) { rate = {at[1], acceleration(at)}; };
+    for (int step = 0; step < kSteps; ++step) stepper.do_step(motion, x, 0.0L, duration / kSteps);
+    return x;
+  }
+
+  /// How long after x a bend is first crossed, just beyond it; `step` if none is until then.
+  long double next_bend(const LongState& x, long double step) const {
+    const auto here = cell(x);
+    if (cell(after(x, step)) == here) return step;
+    long double before = 0.0L;
+    for (int i = 0; i < 70; ++i) {
+      const long double middle = 0.5L * (before + step);
+      (cell(after(x, middle)) == here ? before : step) = middle;
+    }
+    return step;
+  }
+
+ private:
+  long double resistance(const LongState& x) const {
+    return arm_.gravity.amplitude * std::sin(x[0] - arm_.gravity.phase) + arm_.viscous_friction * x[1];
+  }
+
+  std::pair<std::ptrdiff_t, std::ptrdiff_t> cell(const LongState& x) const {
+    const auto index = [](const std::vector<double>& bends, long double value) {
+      return std::upper_bound(bends.begin(), bends.end(), value) - bends.begin();
+    };
+    return {index(position_bends(arm_.torque), x[0]), index(velocity_bends(arm_.torque), x[1])};
+  }
+
+  const Arm& arm_;
+  Effort effort_;
+};
 
 }  // namespace
 
@@ -107,6 +163,43 @@ Trajectory full_torque_motion(Problem& problem, double duration, double knot_per
     }
   }
   problem.tasks[0].goal = {motion.knots.back().position, motion.knots.back().velocity};
+  return trajectory;
+}
+
+Trajectory driven_motion(Problem& problem, const std::vector<Stretch>& stretches, double knot_period,
+                         bool knots_at_bends) {
+  const Arm arm = loaded_arm(problem, 0);
+  const JointState& start = problem.tasks[0].start;
+  ArmTrajectory motion;
+  motion.arm = arm.name;
+  LongState x = {start.position, start.velocity};
+  long double now = 0.0L;
+  for (const Stretch& stretch : stretches) {
+    const DrivenArm driven(arm, stretch.effort);
+    const long double begin = now;
+    const long double end = begin + stretch.duration;
+    const LongState from = x;
+    motion.knots.push_back(driven.knot(static_cast<double>(now), x));
+    while (now < end) {
+      const long double steps = std::ceil((end - now) / knot_period - 1e-6L);
+      const long double even = (end - now) / std::max(1.0L, steps);
+      const long double step = knots_at_bends ? driven.next_bend(x, even) : even;
+      x = driven.after(x, step);
+      now = steps <= 1.0L && step == even ? end : now + step;
+      motion.knots.push_back(driven.knot(static_cast<double>(now), x));
+    }
+    const ArcKind along =
+        from[1] * (stretch.effort == Effort::kUpward ? 1.0L : -1.0L) >= 0.0L ? ArcKind::kAccelerate : ArcKind::kBrake;
+    motion.arcs.push_back({stretch.effort == Effort::kSteady ? ArcKind::kCruise : along,
+                           static_cast<double>(begin),
+                           static_cast<double>(end),
+                           {static_cast<double>(from[0]), static_cast<double>(from[1])},
+                           {static_cast<double>(x[0]), static_cast<double>(x[1])}});
+  }
+  motion.duration = motion.knots.back().time;
+  problem.tasks[0].goal = {motion.knots.back().position, motion.knots.back().velocity};
+  Trajectory trajectory = resting_motion(problem, motion.duration);
+  trajectory[0] = motion;
   return trajectory;
 }
 

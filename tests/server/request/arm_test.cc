@@ -12,6 +12,12 @@ namespace {
 wire::Arm& first(wire::PlanMotionRequest& request) { return *request.mutable_robot()->mutable_arms(0); }
 wire::Arm& second(wire::PlanMotionRequest& request) { return *request.mutable_robot()->mutable_arms(1); }
 
+void set_line(wire::Arm& arm, double stall_torque, double no_load_speed) {
+  wire::TorqueSpeedLine& line = *arm.mutable_torque_limit()->mutable_torque_speed();
+  line.set_stall_torque_newton_meters(stall_torque);
+  line.set_no_load_speed_rad_per_s(no_load_speed);
+}
+
 TEST(ReadArm, NamesEachViolationWithItsFieldPathAndRemedy) {
   const std::vector<PlanCase> cases = {
       {"no robot", [](auto& r) { r.clear_robot(); }, "robot", "is missing: give two arms"},
@@ -50,16 +56,21 @@ TEST(ReadArm, NamesEachViolationWithItsFieldPathAndRemedy) {
       {"range NaN", [](auto& r) { first(r).mutable_joint_range()->set_max_rad(kNan); },
        "robot.arms[0].joint_range.max_rad", "is nan"},
       {"no torque limit", [](auto& r) { second(r).clear_torque_limit(); }, "robot.arms[1].torque_limit",
-       "is missing: give constant"},
+       "is missing: give constant, torque_speed or table"},
       {"no form of limit", [](auto& r) { second(r).mutable_torque_limit()->clear_constant(); },
-       "robot.arms[1].torque_limit.constant", "is missing: give min_newton_meters"},
+       "robot.arms[1].torque_limit.constant",
+       "is missing: give min_newton_meters and max_newton_meters, or torque_speed, or table"},
       {"torque turned",
        [](auto& r) { second(r).mutable_torque_limit()->mutable_constant()->set_max_newton_meters(-70.0); },
        "robot.arms[1].torque_limit.constant.max_newton_meters", "is -70, must exceed min_newton_meters = -60"},
-      {"drive line", [](auto& r) { second(r).mutable_torque_limit()->mutable_torque_speed(); },
-       "robot.arms[1].torque_limit.torque_speed", "is not served by this version: give constant"},
-      {"table", [](auto& r) { second(r).mutable_torque_limit()->mutable_table(); }, "robot.arms[1].torque_limit.table",
-       "is not served by this version: give constant"},
+      {"stall torque", [](auto& r) { set_line(second(r), 0.0, 5.0); },
+       "robot.arms[1].torque_limit.torque_speed.stall_torque_newton_meters", "is 0, must be 1e-12 to 1000000000000"},
+      {"no-load speed", [](auto& r) { set_line(second(r), 60.0, -5.0); },
+       "robot.arms[1].torque_limit.torque_speed.no_load_speed_rad_per_s", "is -5, must be 1e-09 to 1000000 rad/s"},
+      {"units of a line", [](auto& r) { set_line(first(r), 1e9, 1e-3); },
+       "robot.arms[0].torque_limit.torque_speed.no_load_speed_rad_per_s", "check the units of friction, speed"},
+      {"units of a line's torque", [](auto& r) { set_line(first(r), 1e11, 1e6); }, "robot.arms[0].torque_limit",
+       "check the units of torque and inertia"},
       {"units of torque",
        [](auto& r) { second(r).mutable_torque_limit()->mutable_constant()->set_max_newton_meters(1e12); },
        "robot.arms[1].torque_limit", "check the units of torque and inertia"},
@@ -86,8 +97,16 @@ TEST(ReadArm, NamesEachViolationOfTheDynamics) {
          first(r).mutable_dynamics()->set_moment_of_inertia_kg_m2(0.0);
        },
        "robot.arms[0].dynamics.moment_of_inertia_kg_m2", "give an inertia of 0 kg m^2 in all"},
-      {"friction", [](auto& r) { first(r).mutable_dynamics()->set_viscous_friction_newton_meter_seconds(0.1); },
-       "robot.arms[0].dynamics.viscous_friction_newton_meter_seconds", "is not served by this version"},
+      {"friction NaN", [](auto& r) { first(r).mutable_dynamics()->set_viscous_friction_newton_meter_seconds(kNan); },
+       "robot.arms[0].dynamics.viscous_friction_newton_meter_seconds", "is nan"},
+      {"friction's time", [](auto& r) { first(r).mutable_dynamics()->set_viscous_friction_newton_meter_seconds(1e11); },
+       "robot.arms[0].dynamics.viscous_friction_newton_meter_seconds", "dampens the arm by"},
+      {"friction's speed",
+       [](auto& r) {
+         first(r).mutable_dynamics()->set_viscous_friction_newton_meter_seconds(1e12);
+         first(r).mutable_dynamics()->set_moment_of_inertia_kg_m2(1e9);
+       },
+       "robot.arms[0].dynamics.viscous_friction_newton_meter_seconds", "lets the largest torque turn the arm at"},
       {"friction negative",
        [](auto& r) { first(r).mutable_dynamics()->set_viscous_friction_newton_meter_seconds(-1.0); },
        "robot.arms[0].dynamics.viscous_friction_newton_meter_seconds", "is -1, must be 0 to"},
@@ -138,6 +157,17 @@ TEST(ReadArm, TakesEveryNumberToItsPlace) {
   EXPECT_EQ(arm.payload_gravity, 9.81);
   EXPECT_EQ(std::get<Interval>(arm.torque), (Interval{-60.0, 60.0}));
   EXPECT_EQ(arm.velocity, (Interval{-2.0, 2.0}));
+}
+
+TEST(ReadArm, TakesFrictionAndTheLineOfADrive) {
+  wire::PlanMotionRequest request = paper_request();
+  set_line(first(request), 60.0, 3.0);
+  first(request).mutable_dynamics()->set_viscous_friction_newton_meter_seconds(0.5);
+  const auto parsed = parse(request);
+  const Problem& problem = std::get<PlanWish>(parsed).problem;
+  EXPECT_EQ(std::get<TorqueSpeedLine>(problem.arms[0].torque), (TorqueSpeedLine{60.0, 3.0}));
+  EXPECT_EQ(problem.arms[0].viscous_friction, 0.5);
+  EXPECT_EQ(problem.arms[1].viscous_friction, 0.0);
 }
 
 TEST(ReadArm, TellsAbsentGravityFromZeroGravity) {

@@ -51,6 +51,19 @@ void fill(wire::Pose& pose) {
   pose.set_roll_rad(1.0);
 }
 
+void fill(wire::TorqueTable& table) {
+  for (const double position : {0.0, 1.0, 2.0}) {
+    table.add_position_rad(position);
+    wire::TorqueTableRow& row = *table.add_rows();
+    for (const double torque : {50.0, 60.0}) {
+      row.add_min_newton_meters(-torque);
+      row.add_max_newton_meters(torque);
+    }
+  }
+  table.add_velocity_rad_per_s(-1.0);
+  table.add_velocity_rad_per_s(1.0);
+}
+
 wire::PlanMotionRequest full_request() {
   wire::PlanMotionRequest request = paper_request();
   for (wire::Arm& arm : *request.mutable_robot()->mutable_arms()) {
@@ -60,6 +73,15 @@ wire::PlanMotionRequest full_request() {
     arm.mutable_joint_range()->set_max_rad(3.0);
   }
   request.mutable_robot()->mutable_arms(0)->mutable_dynamics()->mutable_paper()->set_gravity_m_per_s2(9.0);
+  request.mutable_robot()->mutable_arms(0)->mutable_dynamics()->set_viscous_friction_newton_meter_seconds(0.5);
+  fill(*request.mutable_robot()->mutable_arms(0)->mutable_torque_limit()->mutable_table());
+  auto& line = *request.mutable_robot()->mutable_arms(1)->mutable_torque_limit()->mutable_torque_speed();
+  line.set_stall_torque_newton_meters(60.0);
+  line.set_no_load_speed_rad_per_s(4.0);
+  for (wire::ArmTask& task : *request.mutable_tasks()) {
+    task.mutable_start()->set_velocity_rad_per_s(0.1);
+    task.mutable_goal()->set_velocity_rad_per_s(0.1);
+  }
   wire::GravityField& field = *request.mutable_robot()->mutable_arms(1)->mutable_dynamics()->mutable_field();
   field.set_x_m_per_s2(1.0);
   field.set_y_m_per_s2(-9.0);
@@ -120,8 +142,8 @@ TEST(EveryNumber, OfAPlanRequestIsRefusedWhenItIsNotFinite) {
   const std::string first = "robot.arms[0].velocity_limit.";
   const std::string second = "robot.arms[1].velocity_limit.";
   const std::set<std::string> unlimited = {first + "max_rad_per_s", second + "max_rad_per_s"};
-  EXPECT_GE(expect_all_refused(full_request(), {kNan, kInfinity}, unlimited), 50);
-  EXPECT_GE(expect_all_refused(full_request(), {-kInfinity}, {first + "min_rad_per_s", second + "min_rad_per_s"}), 50);
+  EXPECT_GE(expect_all_refused(full_request(), {kNan, kInfinity}, unlimited), 70);
+  EXPECT_GE(expect_all_refused(full_request(), {-kInfinity}, {first + "min_rad_per_s", second + "min_rad_per_s"}), 70);
 }
 
 TEST(EveryNumber, OfTrajectoriesToVerifyIsRefusedWhenItIsNotFinite) {

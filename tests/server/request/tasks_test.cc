@@ -19,8 +19,10 @@ TEST(ReadTasks, NamesEachViolationWithItsFieldPathAndRemedy) {
        "tasks[0].start.position_rad", "is nan"},
       {"goal infinite", [](auto& r) { r.mutable_tasks(1)->mutable_goal()->set_position_rad(kInfinity); },
        "tasks[1].goal.position_rad", "is inf"},
-      {"moving start", [](auto& r) { r.mutable_tasks(1)->mutable_start()->set_velocity_rad_per_s(0.5); },
-       "tasks[1].start.velocity_rad_per_s", "is not served by this version"},
+      {"goal velocity infinite", [](auto& r) { r.mutable_tasks(0)->mutable_goal()->set_velocity_rad_per_s(kInfinity); },
+       "tasks[0].goal.velocity_rad_per_s", "is inf, must be -1000000 to 1000000 rad/s"},
+      {"start velocity huge", [](auto& r) { r.mutable_tasks(1)->mutable_start()->set_velocity_rad_per_s(-2e6); },
+       "tasks[1].start.velocity_rad_per_s", "is -2000000, must be"},
       {"start velocity NaN", [](auto& r) { r.mutable_tasks(1)->mutable_start()->set_velocity_rad_per_s(kNan); },
        "tasks[1].start.velocity_rad_per_s", "is nan"},
       {"many",
@@ -71,10 +73,22 @@ TEST(ReadTasks, OrdersTasksAsTheArms) {
   EXPECT_GT(tasks[1].start.position, tasks[1].goal.position);
 }
 
-TEST(ReadTasks, PositionsOutsideTheJointRangeAreThePlannersToAnswer) {
+TEST(ReadTasks, StatesOutsideTheLimitsAreThePlannersToAnswer) {
   wire::PlanMotionRequest request = paper_request();
   request.mutable_tasks(0)->mutable_goal()->set_position_rad(-0.5);
+  request.mutable_tasks(1)->mutable_start()->set_velocity_rad_per_s(200.0);
   EXPECT_TRUE(violations_of(request).empty());
+}
+
+TEST(ReadTasks, TakesVelocitiesToTheirPlaces) {
+  wire::PlanMotionRequest request = paper_request();
+  request.mutable_tasks(0)->mutable_start()->set_velocity_rad_per_s(0.25);
+  request.mutable_tasks(1)->mutable_goal()->set_velocity_rad_per_s(-0.5);
+  const auto parsed = parse(request);
+  const auto& tasks = std::get<PlanWish>(parsed).problem.tasks;
+  EXPECT_EQ(tasks[0].start.velocity, 0.25);
+  EXPECT_EQ(tasks[0].goal.velocity, 0.0);
+  EXPECT_EQ(tasks[1].goal.velocity, -0.5);
 }
 
 }  // namespace

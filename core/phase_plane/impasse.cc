@@ -1,0 +1,84 @@
+#include "core/phase_plane/impasse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/phase_plane/path.h"
+#include "core/phase_plane/turns.h"
+
+namespace dualarm {
+namespace {
+
+/// What two sums of work may differ by, (rad/s)2, and be the same.
+constexpr double kWorkRounding = 1e-12;
+
+/// Whether a state too fast to stop, or to run up to, was followed to the end of the range.
+bool at_range_end(const System& system, const Blocked& blocked) {
+  const Interval range = system.range();
+  const bool upwards = (blocked.reason == BlockReason::kStartTooFast) == (blocked.velocity > 0.0);
+  return blocked.position == (upwards ? range.upper : range.lower);
+}
+
+/// Least driving work from x = 0 to any x in an interval.
+double least_work(const Path& path, double from, double to) {
+  double least = path.work(ArcKind::kAccelerate, 0.0, from);
+  for (const double x : path.pieces(ArcKind::kAccelerate, 0.0, from, to)) {
+    least = std::min(least, path.work(ArcKind::kAccelerate, 0.0, x));
+  }
+  return least;
+}
+
+/// On its way forwards past x a motion last turned round at some q, so its energy at x is at most the driving work from
+/// q to x; or it never turned, and is at most what its start had more. If that is negative from every q that the range
+/// offers before x, no motion passes x; and it is, where the work from the path's start falls below everything that it
+/// was before.
+bool lacks_energy(const Path& path, double room_before, double energy) {
+  const double least_before = std::min(-energy, least_work(path, -room_before, 0.0));
+  return least_work(path, 0.0, path.length()) < least_before - kWorkRounding;
+}
+
+/// Time reversed, braking onto the goal is driving away from it, so both directions are one.
+bool lacks_energy(const System& system, JointState start, JointState goal) {
+  if (start.position == goal.position) return false;
+  const Interval range = system.range();
+  const Path there(system, start.position, goal.position);
+  const Path back(system, goal.position, start.position);
+  const bool rising = there.direction() > 0.0;
+  const auto energy = [&](JointState state) {
+    return state.velocity * there.direction() > 0.0 ? 0.5 * state.velocity * state.velocity : 0.0;
+  };
+  const double before = rising ? start.position - range.lower : range.upper - start.position;
+  const double after = rising ? range.upper - goal.position : goal.position - range.lower;
+  return (system.drives_best_at_rest(there.direction()) && lacks_energy(there, before, energy(start))) ||
+         (!there.velocity_matters(ArcKind::kBrake) && lacks_energy(back, after, energy(goal)));
+}
+
+int weight(const System& system, const Blocked& blocked) {
+  switch (blocked.reason) {
+    case BlockReason::kVelocityLimit:
+      return 3;
+    case BlockReason::kStartTooFast:
+    case BlockReason::kGoalTooFast:
+      return at_range_end(system, blocked) ? 3 : 1;
+    default:
+      return 2;
+  }
+}
+
+}  // namespace
+
+bool is_impasse(const System& system, JointState start, JointState goal) {
+  if (start.velocity != 0.0 && std::holds_alternative<Blocked>(stop_from(system, start))) return true;
+  if (goal.velocity != 0.0) {
+    const auto run_up = run_up_to(system, goal);
+    const auto* blocked = std::get_if<Blocked>(&run_up);
+    if (blocked != nullptr && at_range_end(system, *blocked)) return true;
+  }
+  return lacks_energy(system, start, goal);
+}
+
+bool tells_more(const System& system, const Blocked& obstacle, const Blocked& other) {
+  return weight(system, obstacle) > weight(system, other);
+}
+
+}  // namespace dualarm

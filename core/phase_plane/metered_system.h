@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/phase_plane/system.h"
+
+namespace dualarm {
+
+/// A system that counts what is asked of it, so that a search can stop after the same work on every machine. Refers to
+/// the system it passes the questions to.
+class MeteredSystem final : public System {
+ public:
+  explicit MeteredSystem(const System& system) : system_(system) {}
+
+  long count() const { return count_; }  ///< accelerations and works so far
+
+  Interval range() const override { return system_.range(); }
+  Interval velocity() const override { return system_.velocity(); }
+  Interval acceleration(double s, double s_dot) const override {
+    ++count_;
+    return system_.acceleration(s, s_dot);
+  }
+  Interval acceleration_bounds() const override { return system_.acceleration_bounds(); }
+  bool velocity_matters(Extreme extreme, double direction) const override {
+    return system_.velocity_matters(extreme, direction);
+  }
+  bool drives_best_at_rest(double direction) const override { return system_.drives_best_at_rest(direction); }
+  double specific_work(Extreme extreme, double from, double change) const override {
+    ++count_;
+    return system_.specific_work(extreme, from, change);
+  }
+  std::vector<double> zeros(Extreme extreme, double s_dot, Interval within) const override {
+    return system_.zeros(extreme, s_dot, within);
+  }
+  std::vector<double> position_bends(Interval within) const override { return system_.position_bends(within); }
+  std::vector<double> velocity_bends() const override { return system_.velocity_bends(); }
+  double stiffness() const override { return system_.stiffness(); }
+
+ private:
+  const System& system_;
+  mutable long count_ = 0;
+};
+
+}  // namespace dualarm

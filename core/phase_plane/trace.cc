@@ -1,0 +1,187 @@
+#include "core/phase_plane/trace.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+
+namespace dualarm {
+namespace {
+
+/// Error that a step may make, relative to the length of the way and to the highest speed on it: near rounding, because
+/// what is left of it shows in the accelerations of a fine playback.
+constexpr double kStepTolerance = 1e-15;
+/// Nodes after which an arc counts as one that creeps towards rest for ever.
+constexpr std::size_t kMostNodes = 20000;
+/// Part of the time of a free run over the way that the first step takes, and the least part of it that any step takes.
+constexpr double kFirstStep = 0.1;
+constexpr double kLeastStep = 1e-12;
+/// Part of its step at which the search for a point on it stops: the next correction would be its square, and its most
+/// iterations.
+constexpr double kLocation = 1e-12;
+constexpr int kMostIterations = 60;
+/// Rounding of a position, rad at 1 rad: so close to a node, a position is the node's.
+constexpr double kPositionRounding = 4e-16;
+/// Part of its step to which a turn of the speed is found: the speed is flat there.
+constexpr double kTurnOfSpeed = 1e-6;
+
+using State = std::array<double, 2>;
+
+}  // namespace
+
+Trace::Trace(const System& system, Extreme extreme, JointState from, double time_sign, double until, double speed_limit)
+    : system_(&system), extreme_(extreme), until_(until), speed_limit_(speed_limit), nodes_{{0.0, from, false}} {
+  const double way = std::abs(until - from.position);
+  if (way == 0.0) return;
+  position_bends_ = system.position_bends({std::min(from.position, until), std::max(from.position, until)});
+  velocity_bends_ = system.velocity_bends();
+  const double speed = std::max(std::abs(from.velocity), std::sqrt(2.0 * std::abs(acceleration(from)) * way));
+  if (speed == 0.0) {
+    stop_ = Stop::kRest;
+    return;
+  }
+  const double least = kLeastStep * way / speed;
+  double step = kFirstStep * way / speed;
+  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
+  const auto rate_of = [this](const State& state, State& rate, double) {
+    rate = {state[1], acceleration({state[0], state[1]})};
+  };
+  while (nodes_.size() < kMostNodes) {
+    const Node& node = nodes_.back();
+    const State before = {node.state.position, node.state.velocity};
+    State after = before;
+    State error = {0.0, 0.0};
+    stepper.do_step(rate_of, before, 0.0, after, time_sign * step, error);
+    const double fastest = std::max(speed, std::abs(after[1]));
+    const double miss = std::max(std::abs(error[0]) / way, std::abs(error[1]) / fastest) / kStepTolerance;
+    const double growth = std::clamp(0.9 * std::pow(std::max(miss, 1e-8), -0.125), 0.2, 4.0);
+    if (miss > 1.0 && step > least) {
+      step = std::max(least, growth * step);
+      continue;
+    }
+    if (!accept(up_to_turn_of_speed({node.time + time_sign * step, {after[0], after[1]}, false}))) return;
+    step = std::max(least, growth * step);
+  }
+  stop_ = Stop::kRest;
+}
+
+/// The same step, cut where the acceleration changes its sign: then the speed is monotone on it, and its ends tell
+/// whether it meets the limit or vanishes.
+Trace::Node Trace::up_to_turn_of_speed(const Node& next) const {
+  const Node& from = nodes_.back();
+  const double before = acceleration(from.state);
+  if (!(before * acceleration(next.state) < 0.0)) return next;
+  double low = 0.0;
+  double high = next.time - from.time;
+  for (int i = 0; i < kMostIterations && std::abs(high - low) > kTurnOfSpeed * std::abs(next.time - from.time); ++i) {
+    const double middle = 0.5 * (low + high);
+    (before * acceleration(advanced(from.state, middle)) > 0.0 ? low : high) = middle;
+  }
+  return {from.time + high, advanced(from.state, high), false};
+}
+
+/// Appends the node that a step leads to, or the first point of the step at which something happens. False at the end.
+bool Trace::accept(Node next) {
+  const Node from = nodes_.back();
+  bool goes_on = true;
+  bool at_bend = false;
+  const auto cut = [&](double target, double JointState::*what) {
+    next = located(from, next.time - from.time, target, what);
+    next.state.*what = target;
+  };
+  const double direction = until_ > from.state.position ? 1.0 : -1.0;
+  const auto crossed = [&](double target, double JointState::*what) {
+    const double before = from.state.*what - target;
+    const double after = next.state.*what - target;
+    return (before < 0.0 && after >= 0.0) || (before > 0.0 && after <= 0.0);
+  };
+  const double side = std::copysign(1.0, from.state.velocity != 0.0 ? from.state.velocity : next.state.velocity);
+  if (from.state.velocity != 0.0 && side * next.state.velocity <= 0.0) {
+    cut(0.0, &JointState::velocity);
+    stop_ = Stop::kRest;
+    goes_on = false;
+  }
+  if (direction * (next.state.position - until_) >= 0.0) {
+    cut(until_, &JointState::position);
+    stop_ = Stop::kArrived;
+    goes_on = false;
+  }
+  if (std::abs(next.state.velocity) > speed_limit_) {
+    cut(side * speed_limit_, &JointState::velocity);
+    stop_ = Stop::kLimit;
+    goes_on = false;
+  }
+  const auto meet_bend = [&](double bend, double JointState::*what) {
+    if (!crossed(bend, what) || next.state.*what == bend) return;
+    cut(bend, what);
+    at_bend = true;
+    goes_on = true;
+  };
+  for (const double bend : position_bends_) meet_bend(bend, &JointState::position);
+  for (const double bend : velocity_bends_) meet_bend(bend, &JointState::velocity);
+  next.at_bend = at_bend;
+  nodes_.push_back(next);
+  return goes_on;
+}
+
+double Trace::acceleration(const JointState& state) const {
+  return system_->extreme_acceleration(extreme_, state.position, state.velocity);
+}
+
+JointState Trace::advanced(const JointState& state, double step) const {
+  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
+  State moved = {state.position, state.velocity};
+  stepper.do_step(
+      [this](const State& at, State& rate, double) {
+        rate = {at[1], acceleration({at[0], at[1]})};
+      },
+      moved, 0.0, step);
+  return {moved[0], moved[1]};
+}
+
+/// The point within a step from a node at which the position or the velocity is `target`: Newton, kept inside by
+/// bisection.
+Trace::Node Trace::located(const Node& node, double step, double target, double JointState::*what) const {
+  const double begin = node.state.*what - target;
+  if (begin == 0.0) return node;
+  double low = 0.0;
+  double high = step;
+  const double end = advanced(node.state, step).*what - target;
+  double at = step * std::clamp(begin / (begin - end), 0.0, 1.0);
+  JointState state = node.state;
+  for (int i = 0; i < kMostIterations; ++i) {
+    state = advanced(node.state, at);
+    const double excess = state.*what - target;
+    (excess * begin > 0.0 ? low : high) = at;
+    const double slope = what == &JointState::position ? state.velocity : acceleration(state);
+    const double next = at - excess / slope;
+    if (excess == 0.0 || std::abs(next - at) <= kLocation * std::abs(step)) break;
+    const bool is_inside = (next - low) * (next - high) < 0.0;
+    at = is_inside ? next : 0.5 * (low + high);
+  }
+  return {node.time + at, state, false};
+}
+
+Trace::Node Trace::at_position(double position) const {
+  const double sign = until_ > nodes_.front().state.position ? 1.0 : -1.0;
+  const auto after = std::partition_point(nodes_.begin() + 1, nodes_.end(), [&](const Node& node) {
+    return sign * (node.state.position - position) < 0.0;
+  });
+  if (nodes_.size() == 1 || after == nodes_.end()) return nodes_.back();
+  const Node& before = *(after - 1);
+  const double rounding = kPositionRounding * (1.0 + std::abs(position));
+  if (sign * (before.state.position - position) >= -rounding) return before;
+  if (sign * (after->state.position - position) <= rounding) return *after;
+  return located(before, after->time - before.time, position, &JointState::position);
+}
+
+JointState Trace::at_time(double time) const {
+  const double sign = nodes_.back().time >= 0.0 ? 1.0 : -1.0;
+  const auto after =
+      std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& node) { return sign * (node.time - time) >= 0.0; });
+  if (after == nodes_.end()) return nodes_.back().state;
+  if (after == nodes_.begin() || after->time == time) return after->state;
+  return advanced((after - 1)->state, time - (after - 1)->time);
+}
+
+}  // namespace dualarm

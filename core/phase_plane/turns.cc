@@ -1,0 +1,189 @@
+#include "core/phase_plane/turns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/phase_plane/stretches.h"
+
+namespace dualarm {
+namespace {
+
+/// Length (rad, at 1 rad) below which an arc is rounding, a few last digits of its ends, and the part of its leg that
+/// it has to be below, too.
+constexpr double kShortestArc = 1e-15;
+constexpr double kShortestShare = 1e-3;
+/// Distance (rad, at 1 rad) below which two positions are one: too few digits are left for a motion.
+constexpr double kOnePosition = 4e-15;
+
+bool is_same(double position, double other) {
+  return std::abs(position - other) <= kOnePosition * (1.0 + std::abs(position));
+}
+
+double energy(JointState state) { return 0.5 * state.velocity * state.velocity; }
+
+Blocked blocked_by(const Obstruction& obstruction, const Path& path, JointState to) {
+  const double position = path.position(obstruction.x);
+  switch (obstruction.kind) {
+    case Obstruction::Kind::kStalls:
+      return {BlockReason::kStalls, position, 0.0, path.extreme(ArcKind::kAccelerate)};
+    case Obstruction::Kind::kCannotBrake:
+      return {BlockReason::kCannotBrake, position, 0.0, path.extreme(ArcKind::kBrake)};
+    case Obstruction::Kind::kOverspeeds:
+      return {BlockReason::kCannotBrake, to.position, to.velocity, path.extreme(ArcKind::kBrake)};
+    case Obstruction::Kind::kFallsShort:
+      return {BlockReason::kGoalTooFast, to.position, to.velocity, path.extreme(ArcKind::kAccelerate)};
+  }
+  throw std::logic_error("unknown obstruction");
+}
+
+/// The stretches as arcs, cut where the accelerations bend; where two meet, both take the state of the meeting point.
+class ArcChain {
+ public:
+  ArcChain(const Path& path, JointState from, JointState to)
+      : path_(path),
+        from_(from),
+        shortest_(std::min(kShortestArc * (1.0 + std::abs(to.position)),
+                           kShortestShare * std::abs(to.position - from.position))) {}
+
+  void add(const Stretch& stretch) {
+    if (stretch.arc) {
+      for (const double x : stretch.arc->bends(stretch.from, stretch.to)) {
+        append(stretch.kind(), {path_.position(x), path_.velocity(stretch.energy_at(path_, x))});
+      }
+    }
+    append(stretch.kind(), {path_.position(stretch.to), path_.velocity(stretch.energy_at(path_, stretch.to))});
+  }
+
+  /// The arcs, the last one brought to the very state where they have to end.
+  std::vector<Arc> end_in(JointState to) && {
+    if (!arcs_.empty()) arcs_.back().end = to;
+    return std::move(arcs_);
+  }
+
+ private:
+  void append(ArcKind kind, JointState to) {
+    if (std::abs(to.position - from_.position) <= shortest_) return;
+    // A cruise keeps the velocity it begins with, whatever rounding says.
+    if (kind == ArcKind::kCruise && from_.velocity != 0.0) to.velocity = from_.velocity;
+    arcs_.push_back({kind, 0.0, 0.0, from_, to});
+    from_ = to;
+  }
+
+  const Path& path_;
+  JointState from_;
+  double shortest_;  ///< rad, of an arc
+  std::vector<Arc> arcs_;
+};
+
+/// One leg from one state to another, which do not point against it.
+std::optional<Blocked> append_leg(const System& system, JointState from, JointState to, std::vector<Arc>& arcs) {
+  const Path path(system, from.position, to.position);
+  const auto found = fastest_stretches(path, energy(from), energy(to));
+  if (const auto* obstruction = std::get_if<Obstruction>(&found)) return blocked_by(*obstruction, path, to);
+  ArcChain chain(path, from, to);
+  for (const Stretch& stretch : std::get<std::vector<Stretch>>(found)) chain.add(stretch);
+  const std::vector<Arc> leg = std::move(chain).end_in(to);
+  arcs.insert(arcs.end(), leg.begin(), leg.end());
+  return std::nullopt;
+}
+
+/// A single extremal as arcs.
+std::vector<Arc> arcs_along(const Path& path, const Extremal& extremal, JointState from, JointState to) {
+  ArcChain chain(path, from, to);
+  const double x = path.x(from.position);
+  chain.add({extremal, x, path.x(to.position)});
+  return std::move(chain).end_in(to);
+}
+
+/// Whether a state is at rest as far as positions can tell.
+bool is_at_rest(const System& system, JointState state) {
+  const Interval admissible = system.acceleration(state.position, state.velocity);
+  const double way = energy(state) / std::max(std::abs(admissible.lower), std::abs(admissible.upper));
+  return way <= kShortestArc * (1.0 + std::abs(state.position));
+}
+
+}  // namespace
+
+ArcsOrBlocked motion_through(const System& system, JointState start, const std::vector<double>& turns,
+                             JointState goal) {
+  std::vector<Arc> arcs;
+  JointState from = start;
+  for (std::size_t i = 0; i <= turns.size(); ++i) {
+    const JointState to = i < turns.size() ? JointState{turns[i], 0.0} : goal;
+    if (is_same(to.position, from.position)) {
+      if (to.velocity != from.velocity) return Blocked{BlockReason::kGoalTooFast, to.position, to.velocity};
+      continue;
+    }
+    if (auto blocked = append_leg(system, from, to, arcs)) return *blocked;
+    from = to;
+  }
+  return arcs;
+}
+
+ArcsOrBlocked stop_from(const System& system, JointState start) {
+  if (is_at_rest(system, start)) return std::vector<Arc>{};
+  const Interval range = system.range();
+  const double wall = start.velocity > 0.0 ? range.upper : range.lower;
+  const Extreme extreme = start.velocity > 0.0 ? Extreme::kLowest : Extreme::kHighest;
+  if (start.position == wall) return Blocked{BlockReason::kStartTooFast, wall, start.velocity, extreme};
+  const Path path(system, start.position, wall);
+  const Extremal braking(path, ArcKind::kBrake, 0.0, energy(start), path.length());
+  const double end = path.position(braking.end());
+  const double left = braking.energy_at(braking.end());
+  if (braking.exit() == Extremal::Exit::kLimit) {
+    return Blocked{BlockReason::kVelocityLimit, end, path.velocity(path.energy_limit()), extreme};
+  }
+  if (braking.exit() == Extremal::Exit::kArrived && left > 0.0) {
+    return Blocked{BlockReason::kStartTooFast, wall, path.velocity(left), extreme};
+  }
+  return arcs_along(path, braking, start, {end, 0.0});
+}
+
+ArcsOrBlocked run_up_to(const System& system, JointState goal) {
+  if (is_at_rest(system, goal)) return std::vector<Arc>{};
+  const Interval range = system.range();
+  const double wall = goal.velocity > 0.0 ? range.lower : range.upper;
+  const Extreme extreme = goal.velocity > 0.0 ? Extreme::kHighest : Extreme::kLowest;
+  if (goal.position == wall) return Blocked{BlockReason::kGoalTooFast, wall, goal.velocity, extreme};
+  const Path path(system, wall, goal.position);
+  const Extremal driving(path, ArcKind::kAccelerate, path.length(), energy(goal), 0.0);
+  const double end = path.position(driving.end());
+  const double left = driving.energy_at(driving.end());
+  if (driving.exit() == Extremal::Exit::kRest || left == 0.0) return arcs_along(path, driving, {end, 0.0}, goal);
+  return Blocked{BlockReason::kGoalTooFast, end, path.velocity(left), extreme};
+}
+
+std::optional<ArcsOrBlocked> one_way_motion(const System& system, JointState start, JointState goal, double direction) {
+  JointState from = start;
+  JointState to = goal;
+  ArcsOrBlocked before = std::vector<Arc>{};
+  ArcsOrBlocked after = std::vector<Arc>{};
+  if (direction * start.velocity < 0.0) {
+    before = stop_from(system, start);
+    if (std::holds_alternative<Blocked>(before)) return before;
+    const auto& arcs = std::get<std::vector<Arc>>(before);
+    from = {arcs.empty() ? start.position : arcs.back().end.position, 0.0};
+  }
+  if (direction * goal.velocity < 0.0) {
+    after = run_up_to(system, goal);
+    if (std::holds_alternative<Blocked>(after)) return after;
+    const auto& arcs = std::get<std::vector<Arc>>(after);
+    to = {arcs.empty() ? goal.position : arcs.front().start.position, 0.0};
+  }
+  const bool meet = is_same(from.position, to.position);
+  if (!meet && direction * (to.position - from.position) < 0.0) return std::nullopt;
+  auto& arcs = std::get<std::vector<Arc>>(before);
+  if (!meet) {
+    if (auto blocked = append_leg(system, from, to, arcs)) return *blocked;
+  } else if (from.velocity != to.velocity) {
+    return std::nullopt;
+  }
+  auto& last = std::get<std::vector<Arc>>(after);
+  if (!arcs.empty() && !last.empty()) last.front().start = arcs.back().end;
+  arcs.insert(arcs.end(), last.begin(), last.end());
+  if (!arcs.empty()) arcs.front().start = start;
+  if (!arcs.empty()) arcs.back().end = goal;
+  return before;
+}
+
+}  // namespace dualarm

@@ -1,0 +1,85 @@
+#include "server/request/torque_table.h"
+
+#include <fmt/format.h>
+
+namespace dualarm {
+namespace {
+
+using Column = google::protobuf::RepeatedField<double>;
+
+/// The values of a grid, which have to ascend; nothing if there are none or too many.
+std::vector<double> read_grid(const Column& column, std::string_view name, const Range& range, const Field& table) {
+  if (column.empty() || column.size() > ranges::kMostTableLines) {
+    table.complain(name, fmt::format("has {} entries, must have 1 to {}", column.size(), ranges::kMostTableLines));
+    return {};
+  }
+  for (int k = 0; k < column.size(); ++k) {
+    const std::string here = fmt::format("{}[{}]", name, k);
+    table.number(here, column[k], range);
+    if (k > 0 && column[k] <= column[k - 1]) {
+      table.complain(here, fmt::format("is {}, must exceed {}[{}] = {}", column[k], name, k - 1, column[k - 1]));
+    }
+  }
+  return {column.begin(), column.end()};
+}
+
+bool has_length(const Column& column, std::string_view name, std::size_t length, const Field& row) {
+  if (static_cast<std::size_t>(column.size()) == length) return true;
+  row.complain(name, fmt::format("has {} entries, must have {} as velocity_rad_per_s has", column.size(), length));
+  return false;
+}
+
+void read_row(const wire::TorqueTableRow& message, const Field& row, std::size_t length,
+              std::vector<Interval>& limits) {
+  const bool fits_below = has_length(message.min_newton_meters(), "min_newton_meters", length, row);
+  const bool fits_above = has_length(message.max_newton_meters(), "max_newton_meters", length, row);
+  if (!fits_below || !fits_above) return;
+  for (int k = 0; k < static_cast<int>(length); ++k) {
+    const Interval limit = {message.min_newton_meters(k), message.max_newton_meters(k)};
+    const bool in_range = ranges::kTorque.contains(limit.lower) && ranges::kTorque.contains(limit.upper);
+    if (!in_range || limit.lower >= limit.upper) {
+      row.number(fmt::format("min_newton_meters[{}]", k), limit.lower, ranges::kTorque);
+      row.number(fmt::format("max_newton_meters[{}]", k), limit.upper, ranges::kTorque);
+    }
+    if (limit.lower >= limit.upper) {
+      row.complain(fmt::format("max_newton_meters[{}]", k),
+                   fmt::format("is {}, must exceed min_newton_meters[{}] = {}", limit.upper, k, limit.lower));
+    }
+    if (in_range) limits.push_back(limit);
+  }
+}
+
+/// Whether there is a row for each position, and not more in all than is served.
+bool has_rows(const wire::TorqueTable& message, const TorqueTable& grid, const Field& table) {
+  const std::size_t rows = grid.positions.size();
+  const std::size_t columns = grid.velocities.size();
+  if (static_cast<std::size_t>(message.rows_size()) != rows) {
+    table.complain("rows", fmt::format("has {} entries, must have {} as position_rad has", message.rows_size(), rows));
+    return false;
+  }
+  if (rows * columns > ranges::kMostTableEntries) {
+    table.complain(
+        fmt::format("has {} positions times {} velocities = {} entries, must have at most {} in all: thin "
+                    "the grid out where the limits are straight",
+                    rows, columns, rows * columns, ranges::kMostTableEntries));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TorqueLimit read_torque_table(const wire::TorqueTable& message, const Field& table) {
+  TorqueTable read;
+  read.positions = read_grid(message.position_rad(), "position_rad", ranges::kAngle, table);
+  read.velocities = read_grid(message.velocity_rad_per_s(), "velocity_rad_per_s", ranges::kVelocity, table);
+  if (read.positions.empty() || read.velocities.empty() || !has_rows(message, read, table)) return {};
+  read.limits.reserve(read.positions.size() * read.velocities.size());
+  for (int i = 0; i < message.rows_size(); ++i) {
+    read_row(message.rows(i), table.child("rows", i), read.velocities.size(), read.limits);
+  }
+  if (read.limits.size() != read.positions.size() * read.velocities.size()) return {};
+  return read;
+}
+
+}  // namespace dualarm
