@@ -40,6 +40,10 @@ ArcMotion::ArcMotion(const System& system, const Arc& arc)
     backlash_ = std::abs(anchor_.velocity / acceleration(anchor_));
     anchor_.velocity = 0.0;
   }
+  const double gain = away_ * acceleration(anchor_);
+  const double travel = std::abs(end_.position - start_.position);
+  const double behind = gain > 0.0 ? 0.5 * anchor_.velocity * anchor_.velocity / gain : 0.0;
+  if (behind < travel) virtual_rest_ = behind;
   if (is_traced) {
     trace_.emplace(system, extreme_, anchor_, from_start_ ? 1.0 : -1.0, other_end,
                    std::numeric_limits<double>::infinity());
@@ -56,24 +60,28 @@ double ArcMotion::speed_squared(double change) const {
   return anchor_.velocity * anchor_.velocity + 2.0 * system_->specific_work(extreme_, anchor_.position, change);
 }
 
-/// d(root)/dt at position = anchor +- root^2: what is left of the speed when the singularity of a rest end is gone.
+double ArcMotion::change_at(double root) const { return away_ * std::max(0.0, root * root - virtual_rest_); }
+
+/// d(root)/dt at position = virtual rest +- root^2: what is left of the speed when the singularity of a rest end, or of
+/// an end close to it, is gone.
 double ArcMotion::speed_near_anchor(double root) const {
-  return std::sqrt(std::max(speed_squared(away_ * root * root), 0.0)) / (2.0 * root);
+  return std::sqrt(std::max(speed_squared(change_at(root)), 0.0)) / (2.0 * root);
 }
 
 double ArcMotion::quadrature(double root) const {
-  if (root <= 0.0) return 0.0;
+  const double first = std::sqrt(virtual_rest_);
+  if (root <= first) return 0.0;
   // Over [-1, 1], always: on shorter intervals Boost 1.74 compares an error of the unit interval with a tolerance of
   // the short one and subdivides to the last level.
-  const double half = 0.5 * root;
+  const double half = 0.5 * (root - first);
   return half * boost::math::quadrature::gauss_kronrod<double, 21>::integrate(
-                    [&](double at) { return 1.0 / speed_near_anchor(half * (1.0 + at)); }, -1.0, 1.0, kQuadratureDepth,
-                    kQuadratureTolerance);
+                    [&](double at) { return 1.0 / speed_near_anchor(first + half * (1.0 + at)); }, -1.0, 1.0,
+                    kQuadratureDepth, kQuadratureTolerance);
 }
 
 double ArcMotion::time_from_anchor(double position) const {
   if (trace_) return backlash_ + std::abs(trace_->at_position(position).time);
-  return backlash_ + quadrature(std::sqrt(std::max(0.0, away_ * (position - anchor_.position))));
+  return backlash_ + quadrature(std::sqrt(virtual_rest_ + std::max(0.0, away_ * (position - anchor_.position))));
 }
 
 double ArcMotion::time_at(double position) const {
@@ -90,9 +98,9 @@ JointState ArcMotion::at(double time) const {
 JointState ArcMotion::from_anchor(double time) const {
   time = std::max(0.0, time - backlash_);
   if (trace_) return trace_->at_time(from_start_ ? time : -time);
-  double low = 0.0;
-  double high = std::sqrt(std::abs(end_.position - start_.position));
-  double root = high * std::clamp(time / (duration_ - backlash_), 0.0, 1.0);
+  double low = std::sqrt(virtual_rest_);
+  double high = std::sqrt(virtual_rest_ + std::abs(end_.position - start_.position));
+  double root = std::lerp(low, high, std::clamp(time / (duration_ - backlash_), 0.0, 1.0));
   // Newton in the root coordinate, where a start from rest is a straight line; bisection keeps it inside.
   for (int i = 0; i < 60 && root > 0.0; ++i) {
     const double excess = quadrature(root) - time;
@@ -102,7 +110,7 @@ JointState ArcMotion::from_anchor(double time) const {
     const double next = root + step;
     root = low < next && next < high ? next : 0.5 * (low + high);
   }
-  const double change = away_ * root * root;
+  const double change = change_at(root);
   const double sign = end_.position > start_.position ? 1.0 : -1.0;
   return {anchor_.position + change, sign * std::sqrt(std::max(0.0, speed_squared(change)))};
 }

@@ -34,6 +34,7 @@ class ArcMotion {
  private:
   double time_from_anchor(double position) const;
   double quadrature(double root) const;
+  double change_at(double root) const;
   double speed_near_anchor(double root) const;
   double speed_squared(double change) const;
   JointState from_anchor(double time) const;
@@ -51,6 +52,7 @@ class ArcMotion {
   double away_;                 ///< sign of position - anchor along the arc
   bool from_start_;             ///< the anchor is the arc's start
   std::optional<Trace> trace_;  ///< from the anchor, where velocity enters
+  double virtual_rest_ = 0.0;   ///< rad, how far behind the anchor its speed would have been gained from rest
   double backlash_ = 0.0;       ///< s, to stop at the anchor where its tiny velocity points against the arc
   double duration_;
 };

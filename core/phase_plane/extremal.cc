@@ -62,7 +62,7 @@ double Extremal::energy_at(double x) const {
   if (!trace_) return std::max(0.0, work_energy(x));
   if (x == anchor_) return anchor_energy_;
   const double velocity = trace_->at_position(path_->position(x)).state.velocity;
-  return 0.5 * velocity * velocity;
+  return std::min(0.5 * velocity * velocity, path_->energy_limit());
 }
 
 std::vector<double> Extremal::bends(double from, double to) const {

@@ -19,6 +19,7 @@ class MeteredSystem final : public System {
     return system_.acceleration(s, s_dot);
   }
   Interval acceleration_bounds() const override { return system_.acceleration_bounds(); }
+  Interval acceleration_bounds(Interval velocities) const override { return system_.acceleration_bounds(velocities); }
   bool velocity_matters(Extreme extreme, double direction) const override {
     return system_.velocity_matters(extreme, direction);
   }

@@ -7,34 +7,16 @@
 
 #include "core/phase_plane/arc_motion.h"
 #include "core/phase_plane/extremal.h"
+#include "core/phase_plane/metered_system.h"
 
 namespace dualarm {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Accelerations and works that a proof may ask for: some milliseconds.
+constexpr long kMostWork = 200'000;
 /// Part by which a strict inequality of a proof has to hold beyond rounding.
 constexpr double kProofMargin = 1e-9;
-
-/// Duration of driving up with `drive` and braking with `brake` (both > 0), cruising at the limit in between; infinite
-/// if that does not lead there.
-double way_duration(double distance, double start, double goal, double drive, double brake, double limit) {
-  const double drive_share = 0.5 / drive;
-  const double brake_share = 0.5 / brake;
-  const double peak_squared =
-      (distance + drive_share * start * start + brake_share * goal * goal) / (drive_share + brake_share);
-  const double least_peak = std::max({0.0, start, goal});
-  if (!(peak_squared >= least_peak * least_peak * (1.0 - kProofMargin))) return kInfinity;
-  const double peak = std::min(std::max(std::sqrt(peak_squared), least_peak), limit);
-  const double cruise = std::max(0.0, (peak_squared - peak * peak) * (drive_share + brake_share));
-  return (peak - start) / drive + (peak - goal) / brake + (cruise > 0.0 ? cruise / peak : 0.0);
-}
-
-/// What swinging away and coming back to the same place with more speed costs at least, s per rad/s of that speed: with
-/// accelerations of at most `towards` in the direction of the speed and `away` against it.
-double run_up_price(double towards, double away) {
-  if (!(away > 0.0)) return kInfinity;
-  return std::isfinite(away) && std::isfinite(towards) ? (1.0 + std::sqrt(1.0 + towards / away)) / towards : 0.0;
-}
 
 /// Asks at one end of a motion whether passing it faster than asked for could pay. Time is saved at most on the
 /// extremal arc through that end, as if the other end could be flown past.
@@ -49,11 +31,12 @@ class RunUp {
 
   /// `price` (s per rad/s) of the speed at the end, which can be `fastest` (rad/s) at most. Savings and prices grow
   /// with the speed, so comparing the saving of a speed with the price of the one before holds for all in between.
-  bool never_pays(double price, double fastest) const {
+  bool never_pays(const MeteredSystem& meter, double price, double fastest) const {
     if (!(fastest > 0.0)) return true;
     const double time = time_of(energy_);
     if (!std::isfinite(time) || !std::isfinite(fastest)) return false;
     for (double speed = fastest; 0.5 * speed * speed > energy_; speed /= kRatio) {
+      if (meter.count() > kMostWork) return false;
       const double saved = time - time_of(0.5 * speed * speed);
       if (saved < kNothing * time) return true;
       if (!(saved < price * speed / kRatio)) return false;
@@ -90,22 +73,82 @@ class RunUp {
   double energy_;
 };
 
-/// Speed with which a run-up of `room` can end at most.
-double fastest_run_up(const Path& path, double acceleration, double room) {
-  return std::sqrt(2.0 * std::min(path.energy_limit(), std::max(0.0, acceleration) * room));
-}
-
 }  // namespace
 
+Relaxation::Relaxation(const System& system, double speed) : velocities_(system.velocity()) {
+  const Interval at_rest = system.acceleration_bounds({0.0, 0.0});
+  const bool rises_best = system.drives_best_at_rest(1.0);
+  const bool falls_best = system.drives_best_at_rest(-1.0);
+  Interval moving = system.acceleration_bounds();
+  if (!std::isfinite(moving.length()) && rises_best && falls_best) {
+    // Friction brakes without end at speeds without end: but a range is only so long.
+    const double hardest = std::max(std::abs(at_rest.lower), std::abs(at_rest.upper));
+    const double fastest = std::sqrt(speed * speed + 2.0 * hardest * system.range().length());
+    moving = system.acceleration_bounds({std::max(velocities_.lower, -fastest), std::min(velocities_.upper, fastest)});
+  }
+  up_ = {rises_best ? at_rest.upper : moving.upper, -moving.lower};
+  down_ = {falls_best ? -at_rest.lower : -moving.lower, moving.upper};
+}
+
+/// Along the way: braking what moves against it to rest, driving, a cruise at the limit, braking; and where the goal
+/// moves against it, running up to that from rest. Infinite if that does not lead there.
+double Relaxation::way_duration(double distance, double start, double goal, Drive along, Drive against, double limit) {
+  double turns = 0.0;
+  if (start < 0.0) {
+    distance += 0.5 * start * start / against.brakes;
+    turns += -start / against.brakes;
+    start = 0.0;
+  }
+  if (goal < 0.0) {
+    distance += 0.5 * goal * goal / against.drives;
+    turns += -goal / against.drives;
+    goal = 0.0;
+  }
+  const double drive_share = 0.5 / along.drives;
+  const double brake_share = 0.5 / along.brakes;
+  const double peak_squared =
+      (distance + drive_share * start * start + brake_share * goal * goal) / (drive_share + brake_share);
+  const double least_peak = std::max(start, goal);
+  if (!(peak_squared >= least_peak * least_peak * (1.0 - kProofMargin))) return kInfinity;
+  const double peak = std::min(std::max(std::sqrt(std::max(0.0, peak_squared)), least_peak), limit);
+  const double cruise = std::max(0.0, (peak_squared - peak * peak) * (drive_share + brake_share));
+  return turns + (peak - start) / along.drives + (peak - goal) / along.brakes + (cruise > 0.0 ? cruise / peak : 0.0);
+}
+
 double Relaxation::duration(JointState start, JointState goal) const {
-  const auto& [lowest, highest] = accelerations_;
-  if (!(highest > 0.0 && lowest < 0.0 && std::isfinite(highest - lowest))) return 0.0;
+  for (const Drive& drive : {up_, down_}) {
+    if (!(drive.drives > 0.0 && std::isfinite(drive.drives) && drive.brakes > 0.0)) return 0.0;
+  }
   const double distance = goal.position - start.position;
-  const double upwards = way_duration(distance, start.velocity, goal.velocity, highest, -lowest, velocities_.upper);
-  const double downwards =
-      way_duration(-distance, -start.velocity, -goal.velocity, -lowest, highest, -velocities_.lower);
+  const double upwards = way_duration(distance, start.velocity, goal.velocity, up_, down_, velocities_.upper);
+  const double downwards = way_duration(-distance, -start.velocity, -goal.velocity, down_, up_, -velocities_.lower);
   const double least = std::min(upwards, downwards);
   return std::isfinite(least) ? (1.0 - kProofMargin) * least : 0.0;
+}
+
+/// Coming back with speed v takes at least a climb of v^2 / (2 U) in v / U. Before, the same distance has to be covered
+/// the other way, from rest to rest, driving with at most D and braking with at most B: v sqrt((1/D + 1/B) / U).
+double Relaxation::run_up_price(double direction) const {
+  const Drive& there = along(-direction);
+  const double drives = along(direction).drives;
+  if (!(there.drives > 0.0)) return kInfinity;
+  return drives > 0.0 ? 1.0 / drives + std::sqrt((1.0 / there.drives + 1.0 / there.brakes) / drives) : 0.0;
+}
+
+/// The same with time reversed: braking from v first.
+double Relaxation::overshoot_price(double direction) const {
+  const Drive& back = along(-direction);
+  const double brakes = along(direction).brakes;
+  if (!(back.drives > 0.0)) return kInfinity;
+  return brakes > 0.0 ? 1.0 / brakes + std::sqrt((1.0 / back.drives + 1.0 / back.brakes) / brakes) : 0.0;
+}
+
+double Relaxation::fastest_run_up(double direction, double room) const {
+  return std::min(limit(direction), std::sqrt(2.0 * std::max(0.0, along(direction).drives * room)));
+}
+
+double Relaxation::fastest_overshoot(double direction, double room) const {
+  return std::min(limit(direction), std::sqrt(2.0 * std::max(0.0, along(direction).brakes * room)));
 }
 
 bool is_strong(const System& system) {
@@ -125,19 +168,21 @@ bool is_minimum_by_duration(const System& system, double duration) {
 
 bool is_minimum_by_run_up(const System& system, const Profile& profile) {
   if (profile.legs().size() != 1) return false;
-  const Path path(system, profile.start(), profile.goal());
-  const Interval bounds = system.acceleration_bounds();
+  const MeteredSystem meter(system);
+  const Path path(meter, profile.start(), profile.goal());
+  const double direction = path.direction();
+  const double start_speed = std::abs(profile.start_state().velocity);
+  const double goal_speed = std::abs(profile.goal_state().velocity);
+  const Relaxation relaxation(system, std::max(start_speed, goal_speed));
   const Interval range = system.range();
-  const bool rising = path.direction() > 0.0;
-  const double forward = rising ? bounds.upper : -bounds.lower;
-  const double backward = rising ? -bounds.lower : bounds.upper;
-  const auto energy = [](JointState state) { return 0.5 * state.velocity * state.velocity; };
-  const double room_before = rising ? profile.start() - range.lower : range.upper - profile.start();
-  const double room_after = rising ? range.upper - profile.goal() : profile.goal() - range.lower;
-  return RunUp(path, ArcKind::kAccelerate, energy(profile.start_state()))
-             .never_pays(run_up_price(forward, backward), fastest_run_up(path, forward, room_before)) &&
-         RunUp(path, ArcKind::kBrake, energy(profile.goal_state()))
-             .never_pays(run_up_price(backward, forward), fastest_run_up(path, backward, room_after));
+  const double room_before = direction > 0.0 ? profile.start() - range.lower : range.upper - profile.start();
+  const double room_after = direction > 0.0 ? range.upper - profile.goal() : profile.goal() - range.lower;
+  return RunUp(path, ArcKind::kAccelerate, 0.5 * start_speed * start_speed)
+             .never_pays(meter, relaxation.run_up_price(direction),
+                         relaxation.fastest_run_up(direction, room_before)) &&
+         RunUp(path, ArcKind::kBrake, 0.5 * goal_speed * goal_speed)
+             .never_pays(meter, relaxation.overshoot_price(direction),
+                         relaxation.fastest_overshoot(direction, room_after));
 }
 
 }  // namespace dualarm

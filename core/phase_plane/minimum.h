@@ -6,18 +6,41 @@
 
 namespace dualarm {
 
-/// Duration (s) of the fastest motion of a double integrator that may use the best accelerations of the range
-/// everywhere, under the same velocity limits: a lower bound for every motion between the states. 0 where it knows
-/// none.
+/// A double integrator that may drive and brake everywhere as hard as a system can anywhere in its range, under the
+/// same velocity limits. The duration (s) of its fastest motion is a lower bound for every motion of the system between
+/// two states; 0 where it knows none. Theory, section 1.4.
 class Relaxation {
  public:
-  explicit Relaxation(const System& system)
-      : accelerations_(system.acceleration_bounds()), velocities_(system.velocity()) {}
+  /// For motions between states of at most a speed (rad/s).
+  Relaxation(const System& system, double speed);
 
   double duration(JointState start, JointState goal) const;
 
+  /// What swinging away and coming back to the same place faster costs at least, s per rad/s of the speed it comes back
+  /// with in a direction (+1 or -1).
+  double run_up_price(double direction) const;
+
+  /// The same for leaving a place faster in a direction, and coming back to it.
+  double overshoot_price(double direction) const;
+
+  /// Speed (rad/s) that a run-up over `room` (rad) gives at most in a direction, and that an overshoot can be stopped
+  /// from.
+  double fastest_run_up(double direction, double room) const;
+  double fastest_overshoot(double direction, double room) const;
+
  private:
-  Interval accelerations_;
+  /// Accelerations, rad/s2; may be infinite.
+  struct Drive {
+    double drives = 0.0;  ///< of a motion in a direction, along it
+    double brakes = 0.0;  ///< of the same motion, against it
+  };
+
+  const Drive& along(double direction) const { return direction > 0.0 ? up_ : down_; }
+  double limit(double direction) const { return direction > 0.0 ? velocities_.upper : -velocities_.lower; }
+  static double way_duration(double distance, double start, double goal, Drive along, Drive against, double limit);
+
+  Drive up_;
+  Drive down_;
   Interval velocities_;
 };
 

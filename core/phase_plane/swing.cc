@@ -58,7 +58,12 @@ struct Chain {
 class Search {
  public:
   Search(const System& system, JointState start, JointState goal, double known)
-      : system_of_answer_(system), system_(system), relaxation_(system), start_(start), goal_(goal), known_(known) {
+      : system_of_answer_(system),
+        system_(system),
+        relaxation_(system, std::max(std::abs(start.velocity), std::abs(goal.velocity))),
+        start_(start),
+        goal_(goal),
+        known_(known) {
     const Interval range = system.range();
     window_ = {std::max(range.lower, std::min(start.position, goal.position) - kRoom),
                std::min(range.upper, std::max(start.position, goal.position) + kRoom)};

@@ -37,6 +37,9 @@ class System {
   /// velocities are.
   virtual Interval acceleration_bounds() const = 0;
 
+  /// Bounds of `acceleration` over the whole range and some velocities (rad/s), rad/s2.
+  virtual Interval acceleration_bounds(Interval velocities) const = 0;
+
   /// Whether an end of `acceleration` depends on the velocity while s moves in a direction (+1 or -1).
   virtual bool velocity_matters(Extreme extreme, double direction) const = 0;
 

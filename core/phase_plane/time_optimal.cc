@@ -72,7 +72,8 @@ std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointS
   if (const auto blocked = check_start(system, start)) return *blocked;
   if (const auto blocked = check_goal(system, goal)) return *blocked;
   auto way = faster_way(system, start, goal);
-  const double bound = Relaxation(system).duration(start, goal);
+  const double bound =
+      Relaxation(system, std::max(std::abs(start.velocity), std::abs(goal.velocity))).duration(start, goal);
   if (auto* profile = std::get_if<Profile>(&way)) {
     const MinimumOver claim = claim_of(system, *profile, bound, swings);
     if (claim == MinimumOver::kAllMotions) return FastestMotion{*profile, claim, profile->duration()};

@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <limits>
 
 namespace dualarm {
 namespace {
@@ -13,9 +14,12 @@ namespace {
 constexpr double kStepTolerance = 1e-15;
 /// Nodes after which an arc counts as one that creeps towards rest for ever.
 constexpr std::size_t kMostNodes = 20000;
-/// Part of the time of a free run over the way that the first step takes, and the least part of it that any step takes.
+/// Part of the time of a free run over the way that the first step takes, and the least part of it that any step takes:
+/// far less than the time of the strongest friction on the lightest arm, over which a step must not pass.
 constexpr double kFirstStep = 0.1;
-constexpr double kLeastStep = 1e-12;
+constexpr double kLeastStep = 1e-30;
+/// Excess over the speed limit, relative to it, that is rounding: an arc that leaves the limit begins on it.
+constexpr double kLimitRounding = 1e-13;
 /// Part of its step at which the search for a point on it stops: the next correction would be its square, and its most
 /// iterations.
 constexpr double kLocation = 1e-12;
@@ -25,7 +29,19 @@ constexpr double kPositionRounding = 4e-16;
 /// Part of its step to which a turn of the speed is found: the speed is flat there.
 constexpr double kTurnOfSpeed = 1e-6;
 
+/// Error of the speed that a step may make, relative to its own speed: where an arc begins far slower than it becomes,
+/// more would turn it round.
+constexpr double kOwnStepTolerance = 1e-4;
+
 using State = std::array<double, 2>;
+
+/// By what factor the error of a step is above what it may be.
+double miss_of(const State& before, const State& after, const State& error, double way, double fastest) {
+  if (!std::isfinite(after[0]) || !std::isfinite(after[1])) return std::numeric_limits<double>::infinity();
+  const double own = std::max(std::abs(before[1]), std::abs(after[1]));
+  return std::max({std::abs(error[0]) / way / kStepTolerance, std::abs(error[1]) / fastest / kStepTolerance,
+                   std::abs(error[1]) / own / kOwnStepTolerance});
+}
 
 }  // namespace
 
@@ -52,8 +68,7 @@ Trace::Trace(const System& system, Extreme extreme, JointState from, double time
     State after = before;
     State error = {0.0, 0.0};
     stepper.do_step(rate_of, before, 0.0, after, time_sign * step, error);
-    const double fastest = std::max(speed, std::abs(after[1]));
-    const double miss = std::max(std::abs(error[0]) / way, std::abs(error[1]) / fastest) / kStepTolerance;
+    const double miss = miss_of(before, after, error, way, std::max(speed, std::abs(after[1])));
     const double growth = std::clamp(0.9 * std::pow(std::max(miss, 1e-8), -0.125), 0.2, 4.0);
     if (miss > 1.0 && step > least) {
       step = std::max(least, growth * step);
@@ -106,8 +121,12 @@ bool Trace::accept(Node next) {
     stop_ = Stop::kArrived;
     goes_on = false;
   }
-  if (std::abs(next.state.velocity) > speed_limit_) {
-    cut(side * speed_limit_, &JointState::velocity);
+  if (std::abs(next.state.velocity) > (1.0 + kLimitRounding) * speed_limit_) {
+    if (std::abs(from.state.velocity) < speed_limit_) {
+      cut(side * speed_limit_, &JointState::velocity);
+    } else {
+      next = {from.time, {from.state.position, side * speed_limit_}, false};
+    }
     stop_ = Stop::kLimit;
     goes_on = false;
   }

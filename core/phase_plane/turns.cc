@@ -13,7 +13,7 @@ namespace {
 constexpr double kShortestArc = 1e-15;
 constexpr double kShortestShare = 1e-3;
 /// Distance (rad, at 1 rad) below which two positions are one: too few digits are left for a motion.
-constexpr double kOnePosition = 4e-15;
+constexpr double kOnePosition = 2e-14;
 
 bool is_same(double position, double other) {
   return std::abs(position - other) <= kOnePosition * (1.0 + std::abs(position));

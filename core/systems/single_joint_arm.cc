@@ -27,7 +27,8 @@ SingleJointArm::SingleJointArm(const Arm& arm)
       velocity_matters_{velocity_dependence(Extreme::kLowest), velocity_dependence(Extreme::kHighest)},
       drives_best_at_rest_{torque_drives_best_at_rest(torque_, friction_, -1.0),
                            torque_drives_best_at_rest(torque_, friction_, 1.0)},
-      bounds_{extreme_bound(Extreme::kLowest), extreme_bound(Extreme::kHighest)} {}
+      bounds_{extreme_bound(Extreme::kLowest, velocity_), extreme_bound(Extreme::kHighest, velocity_)},
+      rest_bounds_{extreme_bound(Extreme::kLowest, {0.0, 0.0}), extreme_bound(Extreme::kHighest, {0.0, 0.0})} {}
 
 Interval SingleJointArm::acceleration(double s, double s_dot) const {
   const double held = gravity_.amplitude * std::sin(s - gravity_.phase) + friction_ * s_dot;
@@ -44,12 +45,12 @@ std::array<bool, 2> SingleJointArm::velocity_dependence(Extreme extreme) const {
 
 /// At each position the torque that is left runs straight from one bend of the velocities to the next: the bends and
 /// the velocity limits have its extremes.
-double SingleJointArm::extreme_bound(Extreme extreme) const {
+double SingleJointArm::extreme_bound(Extreme extreme, Interval admissible) const {
   std::vector<double> velocities = {0.0};
   if (velocity_matters(extreme, 1.0) || velocity_matters(extreme, -1.0)) {
     velocities = dualarm::velocity_bends(torque_);
-    std::erase_if(velocities, [&](double velocity) { return !velocity_.contains(velocity); });
-    velocities.insert(velocities.end(), {velocity_.lower, 0.0, velocity_.upper});
+    std::erase_if(velocities, [&](double velocity) { return !admissible.contains(velocity); });
+    velocities.insert(velocities.end(), {admissible.lower, 0.0, admissible.upper});
   }
   const double sign = extreme == Extreme::kHighest ? 1.0 : -1.0;
   double largest = -kInfinity;  // of sign * torque
@@ -58,6 +59,11 @@ double SingleJointArm::extreme_bound(Extreme extreme) const {
     largest = std::max(largest, sign * (extreme_surplus(extreme, torque, gravity_, range_) - rubbed_off(velocity)));
   }
   return sign * largest / inertia_;
+}
+
+Interval SingleJointArm::acceleration_bounds(Interval velocities) const {
+  if (velocities == Interval{0.0, 0.0}) return rest_bounds_;
+  return {extreme_bound(Extreme::kLowest, velocities), extreme_bound(Extreme::kHighest, velocities)};
 }
 
 double SingleJointArm::specific_work(Extreme extreme, double from, double change) const {

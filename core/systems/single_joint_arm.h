@@ -23,6 +23,7 @@ class SingleJointArm final : public System {
   Interval velocity() const override { return velocity_; }
   Interval acceleration(double s, double s_dot) const override;
   Interval acceleration_bounds() const override { return bounds_; }
+  Interval acceleration_bounds(Interval velocities) const override;
   bool velocity_matters(Extreme extreme, double direction) const override {
     return velocity_matters_[index(extreme)][direction > 0.0 ? 1 : 0];
   }
@@ -41,7 +42,7 @@ class SingleJointArm final : public System {
 
  private:
   std::array<bool, 2> velocity_dependence(Extreme extreme) const;
-  double extreme_bound(Extreme extreme) const;
+  double extreme_bound(Extreme extreme, Interval velocities) const;
   double rubbed_off(double s_dot) const { return friction_ == 0.0 ? 0.0 : friction_ * s_dot; }  // 0 times infinity is 0
   static std::size_t index(Extreme extreme) { return extreme == Extreme::kLowest ? 0 : 1; }
 
@@ -55,6 +56,7 @@ class SingleJointArm final : public System {
   std::array<std::array<bool, 2>, 2> velocity_matters_;  ///< by end and direction
   std::array<bool, 2> drives_best_at_rest_;              ///< by direction
   Interval bounds_;
+  Interval rest_bounds_;
 };
 
 }  // namespace dualarm

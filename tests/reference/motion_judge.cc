@@ -178,7 +178,7 @@ std::vector<std::string> judge_precisely(const Arm& arm, JointState start, Joint
 std::vector<std::string> judge_quickly(const Arm& arm, JointState start, JointState goal,
                                        const std::vector<Arc>& arcs) {
   constexpr JudgeTolerances kQuick = {
-      .duration = 1e-7, .instant = 1e-9, .state = 1e-6, .utilisation = 1e-7, .integration = 1e-11};
+      .growth = 11.0, .duration = 1e-7, .instant = 1e-9, .state = 1e-6, .utilisation = 1e-7, .integration = 1e-11};
   if (Judge<double>(arm, arcs, kQuick).verdict(start, goal).empty()) return {};
   // Motions that nearly stall magnify the roundings of a quick judge: the precise one has the last word.
   JudgeTolerances patient = kQuick;

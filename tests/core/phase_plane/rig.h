@@ -26,6 +26,7 @@ class Rig final : public System {
   Interval acceleration_bounds() const override {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
+  Interval acceleration_bounds(Interval /*velocities*/) const override { return acceleration_bounds(); }
   bool velocity_matters(Extreme, double) const override { return velocity_matters_; }
   bool drives_best_at_rest(double) const override { return false; }
   double specific_work(Extreme extreme, double from, double change) const override {
