@@ -50,8 +50,9 @@ class LimitWalk {
   double beginning(const Interval& held) const {
     if (!path_.velocity_matters(ArcKind::kBrake)) return held.upper;
     const double middle = 0.5 * (held.lower + held.upper);
+    const double vanishing = kBesideStandstill * braking_at_rest(path_, middle);
     double x = held.upper;
-    for (double apart = kBesideStandstill * path_.length(); x > middle && !(braking_at_rest(path_, x) < 0.0);
+    for (double apart = kBesideStandstill * path_.length(); x > middle && braking_at_rest(path_, x) > vanishing;
          apart *= 2.0)
       x = std::max(held.upper - apart, middle);
     return x;

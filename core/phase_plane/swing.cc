@@ -20,9 +20,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostTurns = 16;
 /// Accelerations and works that the layers of each first direction, and moving the turning points, may ask for: some
 /// 20,000 legs by quadrature, a tenth of that by integration, a few tens of milliseconds.
-constexpr long kMostWork = 2'000'000;
-/// Turning points of a layer.
-constexpr int kLayerPoints = 24;
+constexpr long kMostWork = 3'000'000;
+/// Turning points of a layer, at most and at least: so many that the work is enough for some layers.
+constexpr int kMostPoints = 24;
+constexpr int kFewestPoints = 8;
+constexpr double kLayersWanted = 6.0;
 /// How far beyond start and goal turning points are searched, rad: gravity repeats itself after a revolution.
 constexpr double kRoom = 2.0 * std::numbers::pi;
 /// Part of the window by which two further swings have to reach farther to be worth a try.
@@ -97,6 +99,8 @@ class Search {
   /// All chains of turns whose first leg goes in a direction, until two further legs reach nothing new.
   void search(double direction) {
     std::vector<Turn> layer = {{start_.position, 0.0, {}}};
+    const long begin = system_.count();
+    points_ = kMostPoints;
     std::array<Interval, 2> reached = {Interval{0.0, 0.0}, Interval{0.0, 0.0}};
     for (std::size_t count = 1; count <= kMostTurns && may_go_on(); ++count, direction = -direction) {
       const Interval reach = reach_of(layer, direction);
@@ -105,12 +109,20 @@ class Search {
       if (layer.empty()) return;
       chains_.emplace_back();
       for (const Turn& turn : layer) finish(turn);
+      if (count == 1) choose_points(begin);
       const Interval extent = extent_of(layer);
       Interval& before = reached[count % 2];
       const double change = std::max(std::abs(extent.lower - before.lower), std::abs(extent.upper - before.upper));
       if (count > 2 && change <= kGrowth * window_.length()) return;
       before = extent;
     }
+  }
+
+  /// From what the legs of the first layer, to and from each of its points, have cost since `begin`.
+  void choose_points(long begin) {
+    const double leg = static_cast<double>(system_.count() - begin) / (2.0 * kMostPoints) + 1.0;
+    const double points = std::sqrt(static_cast<double>(kMostWork) / (kLayersWanted * leg));
+    points_ = static_cast<int>(std::clamp(points, double{kFewestPoints}, double{kMostPoints}));
   }
 
   static Interval extent_of(const std::vector<Turn>& layer) {
@@ -170,8 +182,8 @@ class Search {
   /// A grid on the reach, with the corners at which a minimum may lie.
   std::vector<double> points_of(Interval reach, bool is_first) const {
     std::vector<double> points;
-    for (int i = 0; i <= kLayerPoints; ++i)
-      points.push_back(std::lerp(reach.lower, reach.upper, i / double{kLayerPoints}));
+    for (int i = 0; i <= points_; ++i)
+      points.push_back(std::lerp(reach.lower, reach.upper, i / static_cast<double>(points_)));
     for (const double corner : corners(is_first)) {
       if (reach.contains(corner)) points.push_back(corner);
     }
@@ -216,7 +228,7 @@ class Search {
 
   /// Moves one turning point after another to where the time is least, until that gains nothing.
   void polish(Chain& chain) const {
-    std::vector<double> reach(chain.turns.size(), window_.length() / kLayerPoints);
+    std::vector<double> reach(chain.turns.size(), window_.length() / kFewestPoints);
     for (int round = 0; round < kMostRounds && may_go_on(); ++round) {
       for (std::size_t i = 0; i < chain.turns.size() && may_go_on(); ++i) {
         const double before = chain.turns[i];
@@ -270,6 +282,7 @@ class Search {
   JointState goal_;
   double known_;
   Interval window_;
+  int points_ = kMostPoints;
   long work_ends_ = 0;
   double on_grid_ = kInfinity;  ///< s, of the best chain before turning points are moved
   std::vector<Chain> chains_;   ///< the best of each number of turns and first direction

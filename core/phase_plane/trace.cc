@@ -29,17 +29,25 @@ constexpr double kPositionRounding = 4e-16;
 /// Part of its step to which a turn of the speed is found: the speed is flat there.
 constexpr double kTurnOfSpeed = 1e-6;
 
+/// Part of the first step down to which a step is tried that leaves the limit downwards and might come back to it.
+constexpr double kLeastDip = 1e-8;
+/// Rounding of an acceleration, relative to the span of the admissible ones: shorter steps do not help against it.
+constexpr double kAccelerationRounding = 4e-16;
 /// Error of the speed that a step may make, relative to its own speed: where an arc begins far slower than it becomes,
 /// more would turn it round.
 constexpr double kOwnStepTolerance = 1e-4;
 
+/// Part of the highest speed below which an arc that slows down counts as one that creeps towards rest for ever: what
+/// comes to rest in finite time passes such speeds within a step, and stands a rounding from its end.
+constexpr double kCreep = 1e-9;
+
 using State = std::array<double, 2>;
 
 /// By what factor the error of a step is above what it may be.
-double miss_of(const State& before, const State& after, const State& error, double way, double fastest) {
+double miss_of(const State& before, const State& after, const State& error, double way, double allowed) {
   if (!std::isfinite(after[0]) || !std::isfinite(after[1])) return std::numeric_limits<double>::infinity();
   const double own = std::max(std::abs(before[1]), std::abs(after[1]));
-  return std::max({std::abs(error[0]) / way / kStepTolerance, std::abs(error[1]) / fastest / kStepTolerance,
+  return std::max({std::abs(error[0]) / way / kStepTolerance, std::abs(error[1]) / allowed,
                    std::abs(error[1]) / own / kOwnStepTolerance});
 }
 
@@ -57,7 +65,9 @@ Trace::Trace(const System& system, Extreme extreme, JointState from, double time
     return;
   }
   const double least = kLeastStep * way / speed;
-  double step = kFirstStep * way / speed;
+  const double first = kFirstStep * way / speed;
+  const double rounding = kAccelerationRounding * system.acceleration(from.position, from.velocity).length();
+  double step = first;
   boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
   const auto rate_of = [this](const State& state, State& rate, double) {
     rate = {state[1], acceleration({state[0], state[1]})};
@@ -68,13 +78,22 @@ Trace::Trace(const System& system, Extreme extreme, JointState from, double time
     State after = before;
     State error = {0.0, 0.0};
     stepper.do_step(rate_of, before, 0.0, after, time_sign * step, error);
-    const double miss = miss_of(before, after, error, way, std::max(speed, std::abs(after[1])));
+    const double miss =
+        miss_of(before, after, error, way, kStepTolerance * std::max(speed, std::abs(after[1])) + rounding * step);
     const double growth = std::clamp(0.9 * std::pow(std::max(miss, 1e-8), -0.125), 0.2, 4.0);
     if (miss > 1.0 && step > least) {
       step = std::max(least, growth * step);
       continue;
     }
-    if (!accept(up_to_turn_of_speed({node.time + time_sign * step, {after[0], after[1]}, false}))) return;
+    const Node next = up_to_turn_of_speed({node.time + time_sign * step, {after[0], after[1]}, false});
+    if (std::abs(node.state.velocity) >= speed_limit && is_over_limit(next) && step > kLeastDip * first) {
+      step *= 0.2;
+      continue;
+    }
+    const double slower = std::abs(next.state.velocity);
+    const bool creeps = slower < kCreep * speed && slower < std::abs(node.state.velocity);
+    if (!accept(next)) return;
+    if (creeps) break;
     step = std::max(least, growth * step);
   }
   stop_ = Stop::kRest;
@@ -104,7 +123,7 @@ bool Trace::accept(Node next) {
     next = located(from, next.time - from.time, target, what);
     next.state.*what = target;
   };
-  const double direction = until_ > from.state.position ? 1.0 : -1.0;
+  const double direction = until_ > nodes_.front().state.position ? 1.0 : -1.0;
   const auto crossed = [&](double target, double JointState::*what) {
     const double before = from.state.*what - target;
     const double after = next.state.*what - target;
@@ -121,7 +140,7 @@ bool Trace::accept(Node next) {
     stop_ = Stop::kArrived;
     goes_on = false;
   }
-  if (std::abs(next.state.velocity) > (1.0 + kLimitRounding) * speed_limit_) {
+  if (is_over_limit(next)) {
     if (std::abs(from.state.velocity) < speed_limit_) {
       cut(side * speed_limit_, &JointState::velocity);
     } else {
@@ -139,8 +158,18 @@ bool Trace::accept(Node next) {
   for (const double bend : position_bends_) meet_bend(bend, &JointState::position);
   for (const double bend : velocity_bends_) meet_bend(bend, &JointState::velocity);
   next.at_bend = at_bend;
+  // An arc is often asked for up to a bend: it has arrived, whichever of the two its last digit meets first.
+  if (direction * (next.state.position - until_) >= -kPositionRounding * (1.0 + std::abs(until_))) {
+    next.state.position = until_;
+    stop_ = Stop::kArrived;
+    goes_on = false;
+  }
   nodes_.push_back(next);
   return goes_on;
+}
+
+bool Trace::is_over_limit(const Node& node) const {
+  return std::abs(node.state.velocity) > (1.0 + kLimitRounding) * speed_limit_;
 }
 
 double Trace::acceleration(const JointState& state) const {

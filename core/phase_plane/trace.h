@@ -44,6 +44,7 @@ class Trace {
   double acceleration(const JointState& state) const;
   Node located(const Node& node, double step, double target, double JointState::*what) const;
   Node up_to_turn_of_speed(const Node& next) const;
+  bool is_over_limit(const Node& node) const;
   bool accept(Node next);
 
   const System* system_;
