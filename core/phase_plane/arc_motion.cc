@@ -18,9 +18,11 @@ constexpr unsigned kQuadratureDepth = 15;
 /// many: motions that nearly stall magnify rounding, and no step is short enough for them.
 constexpr double kEndTolerance = 1e-11;
 constexpr int kMostParts = 4;
-/// Part of the start's speed below which an integrated arc is followed backwards from its end: times near rest are
-/// unsure, but backwards friction magnifies errors.
+/// Ratio of an integrated arc's end speeds below which it is followed from the slower end: times near rest are unsure.
+/// Otherwise from the end whose errors fade: forwards under friction.
 constexpr double kSlowEnd = 1e-4;
+/// Part of the speed over which the slope of an acceleration over the velocity is taken.
+constexpr double kSlopeStep = 1e-6;
 /// Part of a position below which an arc counts as this long: there the end tolerance is a few roundings of the
 /// position.
 constexpr double kShortestTravel = 1e-4;
@@ -32,7 +34,9 @@ ArcMotion::ArcMotion(const System& system, const Arc& arc)
   const double direction = end_.position > start_.position ? 1.0 : -1.0;
   extreme_ = (kind_ == ArcKind::kAccelerate) == (direction > 0.0) ? Extreme::kHighest : Extreme::kLowest;
   const bool is_traced = kind_ != ArcKind::kCruise && system.velocity_matters(extreme_, direction);
-  from_start_ = std::abs(end_.velocity) >= (is_traced ? kSlowEnd : 1.0) * std::abs(start_.velocity);
+  from_start_ = std::abs(start_.velocity) <= std::abs(end_.velocity);
+  const auto [slow, fast] = std::minmax({std::abs(start_.velocity), std::abs(end_.velocity)});
+  if (is_traced && slow > kSlowEnd * fast) from_start_ = errors_fade_forward();
   anchor_ = from_start_ ? start_ : end_;
   away_ = from_start_ ? direction : -direction;
   const double other_end = from_start_ ? end_.position : start_.position;
@@ -50,6 +54,16 @@ ArcMotion::ArcMotion(const System& system, const Arc& arc)
   }
   duration_ =
       kind_ == ArcKind::kCruise ? (end_.position - start_.position) / start_.velocity : time_from_anchor(other_end);
+}
+
+/// Whether the acceleration half way falls with the velocity, so that a motion that is too fast is slowed down.
+bool ArcMotion::errors_fade_forward() const {
+  JointState lower = {0.5 * (start_.position + end_.position), 0.5 * (start_.velocity + end_.velocity)};
+  JointState upper = lower;
+  const double step = kSlopeStep * std::abs(lower.velocity);
+  lower.velocity -= step;
+  upper.velocity += step;
+  return acceleration(upper) <= acceleration(lower);
 }
 
 double ArcMotion::acceleration(JointState state) const {
@@ -124,12 +138,17 @@ std::vector<JointState> ArcMotion::states(int count) const {
     return states;
   }
   // The end is known in closed form: an integration that misses it was too coarse.
+  // From the end whose errors fade, where they do at one only.
+  const bool backward = trace_ && !from_start_;
+  const JointState& other_end = backward ? start_ : end_;
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
-    states = integrated(start_, step, count, parts);
-    if (miss(states.back()) > kEndTolerance) continue;
-    spread_miss(states);
+    states = integrated(backward ? end_ : start_, backward ? -step : step, count, parts);
+    if (miss(states.back(), other_end) > kEndTolerance) continue;
+    spread_miss(states, other_end);
+    if (backward) std::reverse(states.begin(), states.end());
     return states;
   }
+  if (backward) states = integrated(start_, step, count, kMostParts);
   return met_halfway(std::move(states), integrated(end_, -step, count, kMostParts));
 }
 
@@ -150,23 +169,23 @@ std::vector<JointState> ArcMotion::integrated(const JointState& from, double ste
   return states;
 }
 
-/// By how much a state misses the arc's end, relative to the arc; positions are no better than their own rounding.
-double ArcMotion::miss(const JointState& state) const {
+/// By how much a state misses an end of the arc, relative to the arc; positions are no better than their own rounding.
+double ArcMotion::miss(const JointState& state, const JointState& end) const {
   const double travel = std::abs(end_.position - start_.position) + kShortestTravel * std::abs(state.position);
   const double speed = std::max(std::abs(start_.velocity), std::abs(end_.velocity));
-  return std::max(std::abs(state.position - end_.position) / travel, std::abs(state.velocity - end_.velocity) / speed);
+  return std::max(std::abs(state.position - end.position) / travel, std::abs(state.velocity - end.velocity) / speed);
 }
 
 /// What the integration misses the end by, taken from all states in equal shares: in one step it would show as torque.
-void ArcMotion::spread_miss(std::vector<JointState>& states) const {
-  const double position_miss = end_.position - states.back().position;
-  const double velocity_miss = end_.velocity - states.back().velocity;
+void ArcMotion::spread_miss(std::vector<JointState>& states, const JointState& end) {
+  const double position_miss = end.position - states.back().position;
+  const double velocity_miss = end.velocity - states.back().velocity;
   for (std::size_t i = 1; i < states.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(states.size() - 1);
     states[i].position += share * position_miss;
     states[i].velocity += share * velocity_miss;
   }
-  states.back() = end_;
+  states.back() = end;
 }
 
 /// A motion that nearly stalls magnifies every rounding on its way past the slow point, in either direction of time: so

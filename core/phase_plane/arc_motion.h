@@ -32,6 +32,7 @@ class ArcMotion {
   std::vector<JointState> states(int count) const;
 
  private:
+  bool errors_fade_forward() const;
   double time_from_anchor(double position) const;
   double quadrature(double root) const;
   double change_at(double root) const;
@@ -39,8 +40,8 @@ class ArcMotion {
   double speed_squared(double change) const;
   JointState from_anchor(double time) const;
   std::vector<JointState> integrated(const JointState& from, double step, int count, int parts) const;
-  double miss(const JointState& state) const;
-  void spread_miss(std::vector<JointState>& states) const;
+  double miss(const JointState& state, const JointState& end) const;
+  static void spread_miss(std::vector<JointState>& states, const JointState& end);
   static std::vector<JointState> met_halfway(std::vector<JointState> forward, std::vector<JointState> backward);
 
   const System* system_;

@@ -10,7 +10,7 @@ class MeteredSystem final : public System {
  public:
   explicit MeteredSystem(const System& system) : system_(system) {}
 
-  long count() const { return count_; }  ///< accelerations and works so far
+  long count() const { return count_; }  ///< accelerations, works and zeros so far
 
   Interval range() const override { return system_.range(); }
   Interval velocity() const override { return system_.velocity(); }
@@ -29,7 +29,9 @@ class MeteredSystem final : public System {
     return system_.specific_work(extreme, from, change);
   }
   std::vector<double> zeros(Extreme extreme, double s_dot, Interval within) const override {
-    return system_.zeros(extreme, s_dot, within);
+    std::vector<double> found = system_.zeros(extreme, s_dot, within);
+    count_ += static_cast<long>(found.size());
+    return found;
   }
   std::vector<double> position_bends(Interval within) const override { return system_.position_bends(within); }
   std::vector<double> velocity_bends() const override { return system_.velocity_bends(); }

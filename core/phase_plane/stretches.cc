@@ -15,6 +15,8 @@ constexpr double kWorkRounding = 1e-11;
 constexpr double kTraceError = 1e-9;
 /// Rounding of a position (rad, at 1 rad), which times the acceleration is an energy.
 constexpr double kPositionRounding = 1e-15;
+/// Part of an energy that is forgiven at most.
+constexpr double kMostRounding = 1e-3;
 
 /// Walks forwards from the start under a ceiling: full acceleration until the ceiling, then along it.
 class ForwardWalk {
@@ -29,7 +31,8 @@ class ForwardWalk {
   std::variant<std::vector<Stretch>, Obstruction> run() {
     const auto slack = [this](double one, double other) {
       const bool traced = path_.velocity_matters(ArcKind::kAccelerate) || path_.velocity_matters(ArcKind::kBrake);
-      return (traced ? kTraceError : kWorkRounding) * std::max(one, other) + position_rounding_;
+      return (traced ? kTraceError : kWorkRounding) * std::max(one, other) +
+             std::min(position_rounding_, kMostRounding * std::max(one, other));
     };
     const double highest = ceiling_.front().energy_at(path_, 0.0);
     if (start_energy_ > highest + slack(start_energy_, highest))

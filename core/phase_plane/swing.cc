@@ -40,7 +40,7 @@ constexpr double kLeastReach = 0.05;
 constexpr double kLeastGain = 1e-12;
 constexpr int kMostRounds = 40;
 /// Bits to which a turning point is found: less than half of the digits, as the time is flat there.
-constexpr int kTurnBits = 22;
+constexpr int kTurnBits = 26;
 /// Stands for no motion in a minimisation, s.
 constexpr double kNoMotion = 1e12;
 

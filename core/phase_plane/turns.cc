@@ -62,7 +62,11 @@ class ArcChain {
 
  private:
   void append(ArcKind kind, JointState to) {
-    if (std::abs(to.position - from_.position) <= shortest_) return;
+    if (std::abs(to.position - from_.position) <= shortest_) {
+      from_.velocity = to.velocity;
+      if (!arcs_.empty()) arcs_.back().end.velocity = to.velocity;
+      return;
+    }
     // A cruise keeps the velocity it begins with, whatever rounding says.
     if (kind == ArcKind::kCruise && from_.velocity != 0.0) to.velocity = from_.velocity;
     arcs_.push_back({kind, 0.0, 0.0, from_, to});
@@ -181,7 +185,7 @@ std::optional<ArcsOrBlocked> one_way_motion(const System& system, JointState sta
   auto& last = std::get<std::vector<Arc>>(after);
   if (!arcs.empty() && !last.empty()) last.front().start = arcs.back().end;
   arcs.insert(arcs.end(), last.begin(), last.end());
-  if (!arcs.empty()) arcs.front().start = start;
+  if (!arcs.empty() && arcs.front().kind != ArcKind::kCruise) arcs.front().start = start;
   if (!arcs.empty()) arcs.back().end = goal;
   return before;
 }

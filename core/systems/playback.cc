@@ -15,6 +15,8 @@ constexpr double kPositionRounding = 1e-14;
 constexpr double kTimeRounding = 1e-12;
 /// Number of intervals of an arc up to which it may double.
 constexpr int kMostIntervals = 16384;
+/// Ratio of unfaithfulness after a doubling and before that counts as a gain: true arcs gain a factor of sixteen.
+constexpr double kGain = 0.5;
 /// Doublings in a row that may bring nothing: the first ones of a very coarse period need not.
 constexpr int kVainDoublings = 4;
 
@@ -115,7 +117,7 @@ class Player {
       count *= 2;
       std::vector<Knot> closer = knots_along(profile, arc, placed, count);
       const double now = unfaithfulness(profile, arc, closer);
-      vain = now < least ? 0 : vain + 1;
+      vain = now < kGain * least ? 0 : vain + 1;
       if (vain > 0) continue;
       least = now;
       knots = std::move(closer);

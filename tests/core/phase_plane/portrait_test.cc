@@ -181,31 +181,6 @@ TEST(Portrait, FollowsTheArcBelowATrapOfTheVelocityLimit) {
   }
 }
 
-TEST(Portrait, SeesATrapThatIsShorterThanAStep) {
-  // Over 0.06 rad of 6 braking falls short of holding the limit, by a thousandth of itself.
-  const Rig system({0.0, 6.0}, {-1.2, 1.2}, true, [](double s, double v) -> Interval {
-    return {-0.5 + 0.5005 * std::exp(-(s - 3.0) * (s - 3.0)) - 1e-5 * v, 2.0 - 1e-5 * v};
-  });
-  const std::vector<JointState> upper = draw_portrait(system, {1.0, 0.0}, 601).upper_limit;
-  ASSERT_EQ(upper.size(), 601u);
-  EXPECT_EQ(upper[200].velocity, 1.2);
-  EXPECT_LT(upper[299].velocity, 1.2);
-  EXPECT_GT(upper[299].velocity, 1.1999);
-  EXPECT_EQ(upper[305].velocity, 1.2);
-}
-
-TEST(Portrait, GoesOnBelowAStandstillThatFrictionReachesOnlyInTheEnd) {
-  for (const double friction : {0.01, 0.3, 3.0}) {
-    SCOPED_TRACE(friction);
-    const Rig system = pendulum(0.8, 1.0, 0.0, friction, {-2.0 * kPi, 2.0}, {-0.1, 0.1});
-    const std::vector<JointState> upper = draw_portrait(system, {1.0, 0.0}, 101).upper_limit;
-    // Braking holds the arm below pi + asin(0.8), one turn back, and from -asin(0.8) on.
-    ASSERT_FALSE(upper.empty());
-    EXPECT_EQ(upper.front().position, -2.0 * kPi);
-    expect_limits_are_tight(system, 101);
-  }
-}
-
 TEST(Portrait, IsFiniteWithoutLimitsAndWithTheStrongestFriction) {
   const Rig system = pendulum(1.0, 0.5, 0.0, 1e21, {-1000.0, 1000.0}, {-kInfinity, kInfinity});
   const PhasePortrait portrait = draw_portrait(system, {0.0, 0.0}, 50);

@@ -65,7 +65,8 @@ void expect_faithful(const Arm& arm, const SingleJointArm& system, const Profile
       ASSERT_NEAR(here.state.position, exact.position, kDeparture) << from.time;
       ASSERT_NEAR(here.state.velocity, exact.velocity, kDeparture + rounding / h) << from.time;
       ASSERT_GE(here.acceleration, limits.lower - room) << from.time << ", " << share;
-      ASSERT_LE(here.acceleration, limits.upper + room) << from.time << ", " << share;
+      ASSERT_LE(here.acceleration, limits.upper + room)
+          << from.time << ", " << share << ": " << here.acceleration - limits.upper << " above, " << room << " allowed";
     }
   }
 }
