@@ -144,7 +144,7 @@ std::vector<JointState> ArcMotion::states(int count) const {
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
     states = integrated(backward ? end_ : start_, backward ? -step : step, count, parts);
     if (miss(states.back(), other_end) > kEndTolerance) continue;
-    spread_miss(states, other_end);
+    spread_miss(states, other_end, backward ? -duration_ : duration_);
     if (backward) std::reverse(states.begin(), states.end());
     return states;
   }
@@ -176,14 +176,16 @@ double ArcMotion::miss(const JointState& state, const JointState& end) const {
   return std::max(std::abs(state.position - end.position) / travel, std::abs(state.velocity - end.velocity) / speed);
 }
 
-/// What the integration misses the end by, taken from all states in equal shares: in one step it would show as torque.
-void ArcMotion::spread_miss(std::vector<JointState>& states, const JointState& end) {
+/// What the integration misses the end by, taken from all states along the cubic that begins with none of it: its
+/// acceleration is the least that the miss can show as. `span` (s) is from the first state to the last, negative
+/// backwards in time.
+void ArcMotion::spread_miss(std::vector<JointState>& states, const JointState& end, double span) {
   const double position_miss = end.position - states.back().position;
-  const double velocity_miss = end.velocity - states.back().velocity;
+  const double velocity_miss = (end.velocity - states.back().velocity) * span;
   for (std::size_t i = 1; i < states.size(); ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(states.size() - 1);
-    states[i].position += share * position_miss;
-    states[i].velocity += share * velocity_miss;
+    const double u = static_cast<double>(i) / static_cast<double>(states.size() - 1);
+    states[i].position += u * u * ((3.0 - 2.0 * u) * position_miss + (u - 1.0) * velocity_miss);
+    states[i].velocity += u * (6.0 * (1.0 - u) * position_miss + (3.0 * u - 2.0) * velocity_miss) / span;
   }
   states.back() = end;
 }

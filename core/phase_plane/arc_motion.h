@@ -41,7 +41,7 @@ class ArcMotion {
   JointState from_anchor(double time) const;
   std::vector<JointState> integrated(const JointState& from, double step, int count, int parts) const;
   double miss(const JointState& state, const JointState& end) const;
-  static void spread_miss(std::vector<JointState>& states, const JointState& end);
+  static void spread_miss(std::vector<JointState>& states, const JointState& end, double span);
   static std::vector<JointState> met_halfway(std::vector<JointState> forward, std::vector<JointState> backward);
 
   const System* system_;

@@ -214,10 +214,11 @@ class Search {
 
   JointState state_of(const Turn& turn) const { return turn.turns.empty() ? start_ : JointState{turn.position, 0.0}; }
 
-  /// Time of the fastest leg that never turns back; infinite if there is none.
+  /// Time of the fastest leg that never turns back; infinite if there is none, or no work left to look for it.
   double leg_time(JointState from, JointState to) const {
     const double direction = to.position - from.position;
-    if (direction == 0.0 || direction * from.velocity < 0.0 || direction * to.velocity < 0.0) return kInfinity;
+    if (!may_go_on() || direction == 0.0 || direction * from.velocity < 0.0 || direction * to.velocity < 0.0)
+      return kInfinity;
     const auto leg = motion_through(system_, from, {}, to);
     const auto* arcs = std::get_if<std::vector<Arc>>(&leg);
     if (arcs == nullptr) return kInfinity;

@@ -8,7 +8,7 @@ namespace dualarm {
 namespace {
 
 /// Part of the acceleration scale by which the quintic between two knots may depart from the arc.
-constexpr double kInterpolationError = 4e-10;
+constexpr double kInterpolationError = 5e-10;
 /// Rounding of positions (rad) as it shows in the quintic's acceleration, times the square of the spacing.
 constexpr double kPositionRounding = 1e-14;
 /// Part of a plan's duration by which times that others have rounded in another order may differ.
