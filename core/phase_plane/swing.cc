@@ -19,8 +19,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Turns after which the search gives up.
 constexpr std::size_t kMostTurns = 16;
 /// Accelerations and works that the layers of each first direction, and moving the turning points, may ask for: some
-/// 20,000 legs by quadrature, a tenth of that by integration, a few tens of milliseconds.
+/// 20,000 legs by quadrature for the layers, a tenth of that by integration; a few tenths of a second in all.
 constexpr long kMostWork = 3'000'000;
+constexpr long kMostMoves = 10'000'000;
 /// Turning points of a layer, at most and at least: so many that the work is enough for some layers.
 constexpr int kMostPoints = 24;
 constexpr int kFewestPoints = 8;
@@ -33,9 +34,8 @@ constexpr double kGrowth = 1e-3;
 constexpr double kCreeping = 1e-9;
 /// Ratio up to which a chain on the grid may be slower than the best one and still win once its turns are moved.
 constexpr double kGridError = 1.05;
-/// How far beyond its last move a turning point is looked for next, in moves, and in parts of how far it was.
-constexpr double kReach = 4.0;
-constexpr double kLeastReach = 0.05;
+/// How often the bracket in which a turning point is moved shrinks, by an eighth each time.
+constexpr int kShrinkings = 4;
 /// Relative gain below which moving the turning points ends, and most rounds of it.
 constexpr double kLeastGain = 1e-12;
 constexpr int kMostRounds = 40;
@@ -76,7 +76,7 @@ class Search {
       work_ends_ = system_.count() + kMostWork;
       if (direction * start_.velocity >= 0.0) search(direction);
     }
-    work_ends_ = system_.count() + kMostWork;
+    work_ends_ = system_.count() + kMostMoves;
     std::sort(chains_.begin(), chains_.end(), [](const Chain& a, const Chain& b) { return a.time < b.time; });
     std::optional<Profile> fastest;
     for (Chain& chain : chains_) {
@@ -229,21 +229,16 @@ class Search {
 
   /// Moves one turning point after another to where the time is least, until that gains nothing.
   void polish(Chain& chain) const {
-    std::vector<double> reach(chain.turns.size(), window_.length() / kFewestPoints);
     for (int round = 0; round < kMostRounds && may_go_on(); ++round) {
-      for (std::size_t i = 0; i < chain.turns.size() && may_go_on(); ++i) {
-        const double before = chain.turns[i];
-        move(chain.turns, i, reach[i], round == 0);
-        reach[i] = std::min(reach[i], kReach * std::abs(chain.turns[i] - before) + kLeastReach * reach[i]);
-      }
+      for (std::size_t i = 0; i < chain.turns.size() && may_go_on(); ++i) move(chain.turns, i);
       const double time = duration_of(chain.turns);
       if (time > chain.time * (1.0 - kLeastGain)) return;
       chain.time = time;
     }
   }
 
-  /// The first time the bracket shrinks around the best, so that a narrow minimum on a wide grid is not lost.
-  void move(std::vector<double>& turns, std::size_t i, double reach, bool is_first) const {
+  /// The bracket shrinks around the best, so that a narrow minimum on a wide grid is not lost.
+  void move(std::vector<double>& turns, std::size_t i) const {
     double& turn = turns[i];
     const JointState before = i == 0 ? start_ : JointState{turns[i - 1], 0.0};
     const JointState after = i + 1 == turns.size() ? goal_ : JointState{turns[i + 1], 0.0};
@@ -256,7 +251,8 @@ class Search {
       turn = position;
       least = time;
     };
-    for (int shrunk = 0; shrunk < (is_first ? 3 : 1); ++shrunk, reach *= 0.125) {
+    double reach = window_.length() / kMostPoints;
+    for (int shrunk = 0; shrunk < kShrinkings; ++shrunk, reach *= 0.125) {
       const auto [position, time] = boost::math::tools::brent_find_minima(
           time_with, std::max(window_.lower, turn - reach), std::min(window_.upper, turn + reach), kTurnBits);
       try_at(position, time);

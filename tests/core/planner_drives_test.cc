@@ -54,7 +54,7 @@ TEST(PlannerOfAnyDrive, SwingsOnlyWhereFixedObjectsLeaveRoom) {
   // In the way of nothing that the swing needs, then in the way of a part of it, then of all of it.
   problem.objects = {ball("post", {6.0 * std::cos(3.4), 6.0 * std::sin(3.4), 0.0}, 0.2)};
   EXPECT_NEAR(must_plan(problem).duration, free_duration, 1e-9);
-  problem.objects = {ball("post", {6.0 * std::cos(-1.0), 6.0 * std::sin(-1.0), 0.0}, 0.2)};
+  problem.objects = {ball("post", {6.0 * std::cos(-0.8), 6.0 * std::sin(-0.8), 0.0}, 0.2)};
   const Plan squeezed = must_plan(problem);
   EXPECT_GT(squeezed.duration, free_duration);
   problem.objects = {ball("post", {6.0 * std::cos(-0.1), 6.0 * std::sin(-0.1), 0.0}, 0.2)};
