@@ -178,20 +178,16 @@ Infeasible too_weak(const Arm& arm, const SingleJointArm& system, const Blocked&
   const std::string state = blocked.velocity == 0.0
                                 ? "gravity needs "
                                 : worded("with ", blocked.velocity, " rad/s, keeping that velocity needs ");
-  const char* remedy = blocked.reason == BlockReason::kVelocityLimit
-                           ? " N m are available; give the drive more torque or the arm a larger velocity limit."
-                           : " N m are available; give the drive more torque or the arm less load.";
   const bool gives_too_much = blocked.extreme == Extreme::kLowest ? available > 0.0 : available < 0.0;
-  if (gives_too_much) {
-    return {reason_of(blocked.reason),
-            worded(arm.name, " ", what_fails(blocked.reason), ": at ", place(blocked.position), " ", state, needed,
-                   " N m, and the drive gives no ", available > 0.0 ? "less" : "more", " than ", available,
-                   " N m; let its torque limits reach ", needed, " N m."),
-            evidence};
-  }
+  const std::string shortfall =
+      gives_too_much
+          ? worded(" N m, and the drive gives no ", available > 0.0 ? "less" : "more", " than ", available,
+                   " N m; let its torque limits reach ", needed, " N m.")
+          : worded(" N m and ", available, " N m are available; give the drive more torque or the arm ",
+                   blocked.reason == BlockReason::kVelocityLimit ? "a larger velocity limit." : "less load.");
   return {reason_of(blocked.reason),
           worded(arm.name, " ", what_fails(blocked.reason), ": at ", place(blocked.position), " ", state, needed,
-                 " N m and ", available, remedy),
+                 shortfall),
           evidence};
 }
 

@@ -1,11 +1,12 @@
 #include "core/phase_plane/arc_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/numeric/odeint.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <limits>
+
+#include "core/phase_plane/extremal_rate.h"
 
 namespace dualarm {
 namespace {
@@ -137,8 +138,8 @@ std::vector<JointState> ArcMotion::states(int count) const {
     states.back() = end_;
     return states;
   }
-  // The end is known in closed form: an integration that misses it was too coarse.
-  // From the end whose errors fade, where they do at one only.
+  // From the end whose errors fade, if they do at one only. The other end is known: an integration that misses it was
+  // too coarse.
   const bool backward = trace_ && !from_start_;
   const JointState& other_end = backward ? start_ : end_;
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
@@ -154,14 +155,11 @@ std::vector<JointState> ArcMotion::states(int count) const {
 
 /// States from one on, `count` steps of `step` s, each in `parts` steps of the integration.
 std::vector<JointState> ArcMotion::integrated(const JointState& from, double step, int count, int parts) const {
-  using State = std::array<double, 2>;
-  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
-  const auto rate_of = [this](const State& state, State& rate, double) {
-    rate = {state[1], system_->extreme_acceleration(extreme_, state[0], state[1])};
-  };
+  boost::numeric::odeint::runge_kutta_fehlberg78<PlaneState> stepper;
+  const auto rate_of = extremal_rate(*system_, extreme_);
   std::vector<JointState> states = {from};
   states.reserve(count + 1);
-  State state = {from.position, from.velocity};
+  PlaneState state = {from.position, from.velocity};
   for (int i = 0; i < count; ++i) {
     for (int part = 0; part < parts; ++part) stepper.do_step(rate_of, state, 0.0, step / parts);
     states.push_back({state[0], state[1]});

@@ -5,47 +5,34 @@
 #include "core/phase_plane/limit_walk.h"
 
 namespace dualarm {
-namespace {
 
-/// Walks backwards from the goal, one stretch at a time.
-class BackwardWalk {
- public:
-  BackwardWalk(const Path& path, double goal_energy) : path_(path), energy_(goal_energy), x_(path.length()) {}
-
-  std::variant<std::vector<Stretch>, Obstruction> run() {
-    bool on_limit = energy_ >= path_.energy_limit();
-    while (x_ > 0.0) {
-      if (on_limit) {
-        push({std::nullopt, held_backward(path_, x_), x_});
-        energy_ = path_.energy_limit();
-        on_limit = false;
-        continue;
-      }
-      const Extremal braking(path_, ArcKind::kBrake, x_, energy_, 0.0);
-      if (braking.exit() == Extremal::Exit::kRest) return Obstruction{Obstruction::Kind::kCannotBrake, braking.end()};
+BrakingWalk walk_back(const Path& path, double x, double energy) {
+  BrakingWalk walk = {{}, x, false};
+  const auto push = [&](Stretch stretch) {
+    walk.end = stretch.from;
+    if (stretch.from < stretch.to) walk.stretches.push_back(std::move(stretch));
+  };
+  bool on_limit = energy >= path.energy_limit();
+  while (walk.end > 0.0 && !walk.from_rest) {
+    if (on_limit) {
+      push({std::nullopt, held_backward(path, walk.end), walk.end});
+      energy = path.energy_limit();
+      on_limit = false;
+    } else {
+      const Extremal braking(path, ArcKind::kBrake, walk.end, energy, 0.0);
       on_limit = braking.exit() == Extremal::Exit::kLimit;
-      push({braking, braking.end(), x_});
+      walk.from_rest = braking.exit() == Extremal::Exit::kRest;
+      push({braking, braking.end(), walk.end});
     }
-    return std::vector<Stretch>(std::make_move_iterator(stretches_.rbegin()),
-                                std::make_move_iterator(stretches_.rend()));
   }
-
- private:
-  void push(Stretch stretch) {
-    x_ = stretch.from;
-    if (stretch.from < stretch.to) stretches_.push_back(std::move(stretch));
-  }
-
-  const Path& path_;
-  double energy_;
-  double x_;
-  std::vector<Stretch> stretches_;
-};
-
-}  // namespace
+  return walk;
+}
 
 std::variant<std::vector<Stretch>, Obstruction> braking_ceiling(const Path& path, double goal_energy) {
-  return BackwardWalk(path, goal_energy).run();
+  BrakingWalk walk = walk_back(path, path.length(), goal_energy);
+  if (walk.from_rest) return Obstruction{Obstruction::Kind::kCannotBrake, walk.end};
+  return std::vector<Stretch>(std::make_move_iterator(walk.stretches.rbegin()),
+                              std::make_move_iterator(walk.stretches.rend()));
 }
 
 }  // namespace dualarm

@@ -32,25 +32,21 @@ double least_work(const Path& path, double from, double to) {
 /// q to x; or it never turned, and is at most what its start had more. If that is negative from every q that the range
 /// offers before x, no motion passes x; and it is, where the work from the path's start falls below everything that it
 /// was before.
-bool lacks_energy(const Path& path, double room_before, double energy) {
-  const double least_before = std::min(-energy, least_work(path, -room_before, 0.0));
+bool lacks_energy(const Path& path, double energy) {
+  const double least_before = std::min(-energy, least_work(path, -path.room_before(), 0.0));
   return least_work(path, 0.0, path.length()) < least_before - kWorkRounding;
 }
 
 /// Time reversed, braking onto the goal is driving away from it, so both directions are one.
 bool lacks_energy(const System& system, JointState start, JointState goal) {
   if (start.position == goal.position) return false;
-  const Interval range = system.range();
   const Path there(system, start.position, goal.position);
   const Path back(system, goal.position, start.position);
-  const bool rising = there.direction() > 0.0;
   const auto energy = [&](JointState state) {
-    return state.velocity * there.direction() > 0.0 ? 0.5 * state.velocity * state.velocity : 0.0;
+    return state.velocity * there.direction() > 0.0 ? energy_of(state) : 0.0;
   };
-  const double before = rising ? start.position - range.lower : range.upper - start.position;
-  const double after = rising ? range.upper - goal.position : goal.position - range.lower;
-  return (system.drives_best_at_rest(there.direction()) && lacks_energy(there, before, energy(start))) ||
-         (!there.velocity_matters(ArcKind::kBrake) && lacks_energy(back, after, energy(goal)));
+  return (system.drives_best_at_rest(there.direction()) && lacks_energy(there, energy(start))) ||
+         (!there.velocity_matters(ArcKind::kBrake) && lacks_energy(back, energy(goal)));
 }
 
 int weight(const System& system, const Blocked& blocked) {

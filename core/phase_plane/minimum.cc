@@ -75,7 +75,7 @@ class RunUp {
 
 }  // namespace
 
-Relaxation::Relaxation(const System& system, double speed) : velocities_(system.velocity()) {
+Relaxation::Relaxation(const System& system, JointState start, JointState goal) : velocities_(system.velocity()) {
   const Interval at_rest = system.acceleration_bounds({0.0, 0.0});
   const bool rises_best = system.drives_best_at_rest(1.0);
   const bool falls_best = system.drives_best_at_rest(-1.0);
@@ -83,7 +83,8 @@ Relaxation::Relaxation(const System& system, double speed) : velocities_(system.
   if (!std::isfinite(moving.length()) && rises_best && falls_best) {
     // Friction brakes without end at speeds without end: but a range is only so long.
     const double hardest = std::max(std::abs(at_rest.lower), std::abs(at_rest.upper));
-    const double fastest = std::sqrt(speed * speed + 2.0 * hardest * system.range().length());
+    const double energy = std::max(energy_of(start), energy_of(goal)) + hardest * system.range().length();
+    const double fastest = std::sqrt(2.0 * energy);
     moving = system.acceleration_bounds({std::max(velocities_.lower, -fastest), std::min(velocities_.upper, fastest)});
   }
   up_ = {rises_best ? at_rest.upper : moving.upper, -moving.lower};
@@ -171,18 +172,13 @@ bool is_minimum_by_run_up(const System& system, const Profile& profile) {
   const MeteredSystem meter(system);
   const Path path(meter, profile.start(), profile.goal());
   const double direction = path.direction();
-  const double start_speed = std::abs(profile.start_state().velocity);
-  const double goal_speed = std::abs(profile.goal_state().velocity);
-  const Relaxation relaxation(system, std::max(start_speed, goal_speed));
-  const Interval range = system.range();
-  const double room_before = direction > 0.0 ? profile.start() - range.lower : range.upper - profile.start();
-  const double room_after = direction > 0.0 ? range.upper - profile.goal() : profile.goal() - range.lower;
-  return RunUp(path, ArcKind::kAccelerate, 0.5 * start_speed * start_speed)
+  const Relaxation relaxation(system, profile.start_state(), profile.goal_state());
+  return RunUp(path, ArcKind::kAccelerate, energy_of(profile.start_state()))
              .never_pays(meter, relaxation.run_up_price(direction),
-                         relaxation.fastest_run_up(direction, room_before)) &&
-         RunUp(path, ArcKind::kBrake, 0.5 * goal_speed * goal_speed)
+                         relaxation.fastest_run_up(direction, path.room_before())) &&
+         RunUp(path, ArcKind::kBrake, energy_of(profile.goal_state()))
              .never_pays(meter, relaxation.overshoot_price(direction),
-                         relaxation.fastest_overshoot(direction, room_after));
+                         relaxation.fastest_overshoot(direction, path.room_after()));
 }
 
 }  // namespace dualarm

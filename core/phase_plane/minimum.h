@@ -11,8 +11,8 @@ namespace dualarm {
 /// two states; 0 where it knows none. Theory, section 1.4.
 class Relaxation {
  public:
-  /// For motions between states of at most a speed (rad/s).
-  Relaxation(const System& system, double speed);
+  /// For motions from a start to a goal, and between states that are no faster than the faster of them.
+  Relaxation(const System& system, JointState start, JointState goal);
 
   double duration(JointState start, JointState goal) const;
 
@@ -44,7 +44,7 @@ class Relaxation {
   Interval velocities_;
 };
 
-/// Whether accelerations of both signs are admissible everywhere in the range, at any velocity that is.
+/// Whether accelerations of both signs are admissible at standstill everywhere in the range.
 bool is_strong(const System& system);
 
 /// Whether a motion of one change of torque, lasting `duration` (s), is proven to be the fastest of all by how far

@@ -8,6 +8,9 @@
 
 namespace dualarm {
 
+/// Half the square of a state's velocity, (rad/s)2.
+inline double energy_of(JointState state) { return 0.5 * state.velocity * state.velocity; }
+
 /// A system seen along one motion: x is the distance travelled from the start, so that rising and falling motions are
 /// one case. Driving is full acceleration forward, braking full acceleration backward; energy is 1/2 s_dot^2, (rad/s)2.
 class Path {
@@ -25,6 +28,11 @@ class Path {
 
   const System& system() const { return *system_; }
   double length() const { return length_; }
+
+  /// How far (rad) the range goes on before the start and beyond the end.
+  double room_before() const { return room(start_, -direction_); }
+  double room_after() const { return room(goal_, direction_); }
+
   double direction() const { return direction_; }
 
   double position(double x) const { return x == length_ ? goal_ : start_ + direction_ * x; }
@@ -58,6 +66,9 @@ class Path {
   std::vector<double> bends(double from, double to) const;
 
  private:
+  double room(double position, double direction) const {
+    return direction > 0.0 ? system_->range().upper - position : position - system_->range().lower;
+  }
   std::vector<double> between(const std::vector<double>& positions, double from, double to) const;
 
   const System* system_;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/phase_plane/limit_walk.h"
+#include "core/phase_plane/ceiling.h"
 #include "core/phase_plane/path.h"
 #include "core/phase_plane/stretches.h"
 
@@ -28,9 +28,9 @@ class LimitWalk {
 
   std::vector<Stretch> run() {
     while (const std::optional<Interval> held = held_at_rest()) {
-      x_ = beginning(*held);
-      follow_from_rest();
-      x_ = std::min(x_, held->lower);  // only rounding lets an arc end in between
+      BrakingWalk walk = walk_back(path_, beginning(*held), 0.0);
+      std::move(walk.stretches.begin(), walk.stretches.end(), std::back_inserter(stretches_));
+      x_ = std::min(walk.end, held->lower);  // only rounding lets an arc end in between
     }
     return {std::make_move_iterator(stretches_.rbegin()), std::make_move_iterator(stretches_.rend())};
   }
@@ -56,22 +56,6 @@ class LimitWalk {
          apart *= 2.0)
       x = std::max(held.upper - apart, middle);
     return x;
-  }
-
-  void follow_from_rest() {
-    double energy = 0.0;
-    while (x_ > 0.0) {
-      const Extremal braking(path_, ArcKind::kBrake, x_, energy, 0.0);
-      push({braking, braking.end(), x_});
-      if (braking.exit() != Extremal::Exit::kLimit) return;
-      push({std::nullopt, held_backward(path_, x_), x_});
-      energy = path_.energy_limit();
-    }
-  }
-
-  void push(Stretch stretch) {
-    x_ = stretch.from;
-    if (stretch.from < stretch.to) stretches_.push_back(std::move(stretch));
   }
 
   const Path& path_;
@@ -107,7 +91,7 @@ std::vector<JointState> switching_curve(const System& system, JointState goal, d
   const double start = direction > 0.0 ? system.range().lower : system.range().upper;
   if (!system.range().contains(goal.position) || goal.position == start) return {};
   const Path path(system, start, goal.position);
-  const double energy = 0.5 * goal.velocity * goal.velocity;
+  const double energy = energy_of(goal);
   if (direction * goal.velocity < 0.0 || energy > path.energy_limit()) return {};
   if (goal.velocity == 0.0 && !(braking_at_rest(path, path.length()) < 0.0)) return {};
   const Extremal arc(path, ArcKind::kBrake, path.length(), energy, 0.0);

@@ -96,7 +96,7 @@ class ForwardWalk {
   }
 
   void finish_driving(double x) {
-    push({driving_, drive_start_, x});
+    push({std::move(driving_), drive_start_, x});
     driving_.reset();
   }
 

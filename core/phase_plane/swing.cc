@@ -44,14 +44,8 @@ constexpr int kTurnBits = 26;
 /// Stands for no motion in a minimisation, s.
 constexpr double kNoMotion = 1e12;
 
-/// A place where the motion turns, with the fastest time found so far to be there.
-struct Turn {
-  double position = 0.0;
-  double time = kInfinity;
-  std::vector<double> turns;  ///< that lead there, this one last
-};
-
-/// A chain of turning points and the time of the motion through them.
+/// A chain of turning points and the least time found (s) of a motion through them: to the last one while layers grow,
+/// to the goal once it is finished.
 struct Chain {
   double time = kInfinity;
   std::vector<double> turns;
@@ -62,7 +56,7 @@ class Search {
   Search(const System& system, JointState start, JointState goal, double known)
       : system_of_answer_(system),
         system_(system),
-        relaxation_(system, std::max(std::abs(start.velocity), std::abs(goal.velocity))),
+        relaxation_(system, start, goal),
         start_(start),
         goal_(goal),
         known_(known) {
@@ -98,7 +92,7 @@ class Search {
 
   /// All chains of turns whose first leg goes in a direction, until two further legs reach nothing new.
   void search(double direction) {
-    std::vector<Turn> layer = {{start_.position, 0.0, {}}};
+    std::vector<Chain> layer = {{0.0, {}}};
     const long begin = system_.count();
     points_ = kMostPoints;
     std::array<Interval, 2> reached = {Interval{0.0, 0.0}, Interval{0.0, 0.0}};
@@ -108,7 +102,7 @@ class Search {
       layer = next_layer(layer, reach, direction);
       if (layer.empty()) return;
       chains_.emplace_back();
-      for (const Turn& turn : layer) finish(turn);
+      for (const Chain& chain : layer) finish(chain);
       if (count == 1) choose_points(begin);
       const Interval extent = extent_of(layer);
       Interval& before = reached[count % 2];
@@ -125,56 +119,56 @@ class Search {
     points_ = static_cast<int>(std::clamp(points, double{kFewestPoints}, double{kMostPoints}));
   }
 
-  static Interval extent_of(const std::vector<Turn>& layer) {
-    Interval extent = {layer.front().position, layer.front().position};
-    for (const Turn& turn : layer) {
-      extent = {std::min(extent.lower, turn.position), std::max(extent.upper, turn.position)};
+  static Interval extent_of(const std::vector<Chain>& layer) {
+    Interval extent = {layer.front().turns.back(), layer.front().turns.back()};
+    for (const Chain& chain : layer) {
+      extent = {std::min(extent.lower, chain.turns.back()), std::max(extent.upper, chain.turns.back())};
     }
     return extent;
   }
 
   /// Where a layer's motions can turn after a leg in a direction.
-  Interval reach_of(const std::vector<Turn>& layer, double direction) const {
+  Interval reach_of(const std::vector<Chain>& layer, double direction) const {
     Interval reach = {kInfinity, -kInfinity};
-    for (const Turn& turn : layer) {
+    for (const Chain& chain : layer) {
       const double wall = direction > 0.0 ? window_.upper : window_.lower;
-      if (direction * (wall - turn.position) <= 0.0) continue;
-      const JointState from = turn.turns.empty() ? start_ : JointState{turn.position, 0.0};
+      const JointState from = end_of(chain);
+      if (direction * (wall - from.position) <= 0.0) continue;
       const Path path(system_, from.position, wall);
-      const double energy = std::min(0.5 * from.velocity * from.velocity, path.energy_limit());
-      const auto end_of = [&](ArcKind kind) {
+      const double energy = std::min(energy_of(from), path.energy_limit());
+      const auto turn_after = [&](ArcKind kind) {
         const Extremal arc(path, kind, 0.0, energy, path.length());
         const bool rests = arc.exit() == Extremal::Exit::kRest;
         return rests ? path.position((1.0 - kCreeping) * arc.end()) : wall;
       };
-      const double nearest = end_of(ArcKind::kBrake);
-      const double farthest = end_of(ArcKind::kAccelerate);
+      const double nearest = turn_after(ArcKind::kBrake);
+      const double farthest = turn_after(ArcKind::kAccelerate);
       reach = {std::min({reach.lower, nearest, farthest}), std::max({reach.upper, nearest, farthest})};
     }
     return reach.length() > 0.0 ? reach : Interval{1.0, 0.0};
   }
 
-  std::vector<Turn> next_layer(const std::vector<Turn>& layer, Interval reach, double direction) const {
-    std::vector<Turn> next;
+  std::vector<Chain> next_layer(const std::vector<Chain>& layer, Interval reach, double direction) const {
+    std::vector<Chain> next;
     for (const double position : points_of(reach, layer.front().turns.empty())) {
       if (!may_go_on()) break;
-      Turn turn = {position, kInfinity, {}};
-      const Turn* from = nullptr;
+      Chain chain;
+      const Chain* from = nullptr;
       const double rest = relaxation_.duration({position, 0.0}, goal_);
-      for (const Turn& before : layer) {
-        if (direction * (position - before.position) <= 0.0) continue;
-        const double bound = before.time + relaxation_.duration(state_of(before), {position, 0.0});
-        if (bound >= turn.time || bound + rest >= kGridError * std::min(known_, on_grid_)) continue;
-        const double time = before.time + leg_time(state_of(before), {position, 0.0});
-        if (time < turn.time) {
-          turn.time = time;
+      for (const Chain& before : layer) {
+        if (direction * (position - end_of(before).position) <= 0.0) continue;
+        const double bound = before.time + relaxation_.duration(end_of(before), {position, 0.0});
+        if (bound >= chain.time || bound + rest >= kGridError * std::min(known_, on_grid_)) continue;
+        const double time = before.time + leg_time(end_of(before), {position, 0.0});
+        if (time < chain.time) {
+          chain.time = time;
           from = &before;
         }
       }
-      if (from == nullptr || turn.time + rest >= kGridError * std::min(known_, on_grid_)) continue;
-      turn.turns = from->turns;
-      turn.turns.push_back(position);
-      next.push_back(std::move(turn));
+      if (from == nullptr || chain.time + rest >= kGridError * std::min(known_, on_grid_)) continue;
+      chain.turns = from->turns;
+      chain.turns.push_back(position);
+      next.push_back(std::move(chain));
     }
     return next;
   }
@@ -206,13 +200,16 @@ class Search {
     return found;
   }
 
-  void finish(const Turn& turn) {
-    const double time = turn.time + leg_time(state_of(turn), goal_);
-    if (time < chains_.back().time) chains_.back() = {time, turn.turns};
+  void finish(const Chain& chain) {
+    const double time = chain.time + leg_time(end_of(chain), goal_);
+    if (time < chains_.back().time) chains_.back() = {time, chain.turns};
     on_grid_ = std::min(on_grid_, time);
   }
 
-  JointState state_of(const Turn& turn) const { return turn.turns.empty() ? start_ : JointState{turn.position, 0.0}; }
+  /// Where a chain has come to; at rest but for the empty one.
+  JointState end_of(const Chain& chain) const {
+    return chain.turns.empty() ? start_ : JointState{chain.turns.back(), 0.0};
+  }
 
   /// Time of the fastest leg that never turns back; infinite if there is none, or no work left to look for it.
   double leg_time(JointState from, JointState to) const {

@@ -1,7 +1,6 @@
 #include "core/phase_plane/time_optimal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -72,17 +71,17 @@ std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointS
   if (const auto blocked = check_start(system, start)) return *blocked;
   if (const auto blocked = check_goal(system, goal)) return *blocked;
   auto way = faster_way(system, start, goal);
-  const double bound =
-      Relaxation(system, std::max(std::abs(start.velocity), std::abs(goal.velocity))).duration(start, goal);
+  const double bound = Relaxation(system, start, goal).duration(start, goal);
   if (auto* profile = std::get_if<Profile>(&way)) {
     const MinimumOver claim = claim_of(system, *profile, bound, swings);
-    if (claim == MinimumOver::kAllMotions) return FastestMotion{*profile, claim, profile->duration()};
-    if (swings == Swings::kSearch) {
+    const bool is_proven = claim == MinimumOver::kAllMotions;
+    if (!is_proven && swings == Swings::kSearch) {
       if (auto swing = fastest_swing(system, start, goal, profile->duration())) {
         return FastestMotion{std::move(*swing), MinimumOver::kSearchedMotions, bound};
       }
     }
-    return FastestMotion{std::move(*profile), claim, bound};
+    const double duration = profile->duration();
+    return FastestMotion{std::move(*profile), claim, is_proven ? duration : bound};
   }
   Blocked blocked = std::get<Blocked>(way);
   blocked.is_proven = is_impasse(system, start, goal);

@@ -11,7 +11,7 @@ namespace dualarm {
 /// Over which motions a fastest motion is the minimum. Theory, sections 1.1 to 1.3.
 enum class MinimumOver {
   kAllMotions,       ///< proven: no motion of any kind is faster
-  kMonotoneMotions,  ///< none that never turns back is faster; swings were searched, and none found that is
+  kMonotoneMotions,  ///< none that never turns back is faster, and none that does was found, if they were searched
   kSearchedMotions,  ///< none is faster among the motions with turning points that were searched
 };
 

@@ -1,10 +1,11 @@
 #include "core/phase_plane/trace.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <limits>
+
+#include "core/phase_plane/extremal_rate.h"
 
 namespace dualarm {
 namespace {
@@ -41,10 +42,8 @@ constexpr double kOwnStepTolerance = 1e-4;
 /// comes to rest in finite time passes such speeds within a step, and stands a rounding from its end.
 constexpr double kCreep = 1e-9;
 
-using State = std::array<double, 2>;
-
 /// By what factor the error of a step is above what it may be.
-double miss_of(const State& before, const State& after, const State& error, double way, double allowed) {
+double miss_of(const PlaneState& before, const PlaneState& after, const PlaneState& error, double way, double allowed) {
   if (!std::isfinite(after[0]) || !std::isfinite(after[1])) return std::numeric_limits<double>::infinity();
   const double own = std::max(std::abs(before[1]), std::abs(after[1]));
   return std::max({std::abs(error[0]) / way / kStepTolerance, std::abs(error[1]) / allowed,
@@ -68,16 +67,13 @@ Trace::Trace(const System& system, Extreme extreme, JointState from, double time
   const double first = kFirstStep * way / speed;
   const double rounding = kAccelerationRounding * system.acceleration(from.position, from.velocity).length();
   double step = first;
-  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
-  const auto rate_of = [this](const State& state, State& rate, double) {
-    rate = {state[1], acceleration({state[0], state[1]})};
-  };
+  boost::numeric::odeint::runge_kutta_fehlberg78<PlaneState> stepper;
   while (nodes_.size() < kMostNodes) {
     const Node& node = nodes_.back();
-    const State before = {node.state.position, node.state.velocity};
-    State after = before;
-    State error = {0.0, 0.0};
-    stepper.do_step(rate_of, before, 0.0, after, time_sign * step, error);
+    const PlaneState before = {node.state.position, node.state.velocity};
+    PlaneState after = before;
+    PlaneState error = {0.0, 0.0};
+    stepper.do_step(extremal_rate(system, extreme), before, 0.0, after, time_sign * step, error);
     const double miss =
         miss_of(before, after, error, way, kStepTolerance * std::max(speed, std::abs(after[1])) + rounding * step);
     const double growth = std::clamp(0.9 * std::pow(std::max(miss, 1e-8), -0.125), 0.2, 4.0);
@@ -177,13 +173,9 @@ double Trace::acceleration(const JointState& state) const {
 }
 
 JointState Trace::advanced(const JointState& state, double step) const {
-  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
-  State moved = {state.position, state.velocity};
-  stepper.do_step(
-      [this](const State& at, State& rate, double) {
-        rate = {at[1], acceleration({at[0], at[1]})};
-      },
-      moved, 0.0, step);
+  boost::numeric::odeint::runge_kutta_fehlberg78<PlaneState> stepper;
+  PlaneState moved = {state.position, state.velocity};
+  stepper.do_step(extremal_rate(*system_, extreme_), moved, 0.0, step);
   return {moved[0], moved[1]};
 }
 
@@ -225,8 +217,8 @@ Trace::Node Trace::at_position(double position) const {
 
 JointState Trace::at_time(double time) const {
   const double sign = nodes_.back().time >= 0.0 ? 1.0 : -1.0;
-  const auto after =
-      std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& node) { return sign * (node.time - time) >= 0.0; });
+  const auto after = std::partition_point(nodes_.begin(), nodes_.end(),
+                                          [&](const Node& node) { return sign * (node.time - time) < 0.0; });
   if (after == nodes_.end()) return nodes_.back().state;
   if (after == nodes_.begin() || after->time == time) return after->state;
   return advanced((after - 1)->state, time - (after - 1)->time);

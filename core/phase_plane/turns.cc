@@ -19,8 +19,6 @@ bool is_same(double position, double other) {
   return std::abs(position - other) <= kOnePosition * (1.0 + std::abs(position));
 }
 
-double energy(JointState state) { return 0.5 * state.velocity * state.velocity; }
-
 Blocked blocked_by(const Obstruction& obstruction, const Path& path, JointState to) {
   const double position = path.position(obstruction.x);
   switch (obstruction.kind) {
@@ -82,7 +80,7 @@ class ArcChain {
 /// One leg from one state to another, which do not point against it.
 std::optional<Blocked> append_leg(const System& system, JointState from, JointState to, std::vector<Arc>& arcs) {
   const Path path(system, from.position, to.position);
-  const auto found = fastest_stretches(path, energy(from), energy(to));
+  const auto found = fastest_stretches(path, energy_of(from), energy_of(to));
   if (const auto* obstruction = std::get_if<Obstruction>(&found)) return blocked_by(*obstruction, path, to);
   ArcChain chain(path, from, to);
   for (const Stretch& stretch : std::get<std::vector<Stretch>>(found)) chain.add(stretch);
@@ -102,8 +100,31 @@ std::vector<Arc> arcs_along(const Path& path, const Extremal& extremal, JointSta
 /// Whether a state is at rest as far as positions can tell.
 bool is_at_rest(const System& system, JointState state) {
   const Interval admissible = system.acceleration(state.position, state.velocity);
-  const double way = energy(state) / std::max(std::abs(admissible.lower), std::abs(admissible.upper));
+  const double way = energy_of(state) / std::max(std::abs(admissible.lower), std::abs(admissible.upper));
   return way <= kShortestArc * (1.0 + std::abs(state.position));
+}
+
+/// Full braking from a moving start to rest, or full drive from rest to a moving goal, which is the same backwards in
+/// time: one extremal from the state towards the end of the range that it moves to, or comes from.
+ArcsOrBlocked arcs_to_rest(const System& system, JointState state, bool is_start) {
+  if (is_at_rest(system, state)) return std::vector<Arc>{};
+  const double wall = (state.velocity > 0.0) == is_start ? system.range().upper : system.range().lower;
+  const ArcKind kind = is_start ? ArcKind::kBrake : ArcKind::kAccelerate;
+  const BlockReason too_fast = is_start ? BlockReason::kStartTooFast : BlockReason::kGoalTooFast;
+  if (state.position == wall) {
+    const Extreme extreme = (state.velocity > 0.0) == is_start ? Extreme::kLowest : Extreme::kHighest;
+    return Blocked{too_fast, wall, state.velocity, extreme};
+  }
+  const Path path = is_start ? Path(system, state.position, wall) : Path(system, wall, state.position);
+  const Extremal arc(path, kind, path.x(state.position), energy_of(state), path.x(wall));
+  const JointState rest = {path.position(arc.end()), 0.0};
+  const double left = arc.energy_at(arc.end());
+  if (arc.exit() == Extremal::Exit::kRest || left == 0.0) {
+    return is_start ? arcs_along(path, arc, state, rest) : arcs_along(path, arc, rest, state);
+  }
+  const bool breaks_limit = is_start && arc.exit() == Extremal::Exit::kLimit;
+  return Blocked{breaks_limit ? BlockReason::kVelocityLimit : too_fast, rest.position, path.velocity(left),
+                 path.extreme(kind)};
 }
 
 }  // namespace
@@ -124,38 +145,9 @@ ArcsOrBlocked motion_through(const System& system, JointState start, const std::
   return arcs;
 }
 
-ArcsOrBlocked stop_from(const System& system, JointState start) {
-  if (is_at_rest(system, start)) return std::vector<Arc>{};
-  const Interval range = system.range();
-  const double wall = start.velocity > 0.0 ? range.upper : range.lower;
-  const Extreme extreme = start.velocity > 0.0 ? Extreme::kLowest : Extreme::kHighest;
-  if (start.position == wall) return Blocked{BlockReason::kStartTooFast, wall, start.velocity, extreme};
-  const Path path(system, start.position, wall);
-  const Extremal braking(path, ArcKind::kBrake, 0.0, energy(start), path.length());
-  const double end = path.position(braking.end());
-  const double left = braking.energy_at(braking.end());
-  if (braking.exit() == Extremal::Exit::kLimit) {
-    return Blocked{BlockReason::kVelocityLimit, end, path.velocity(path.energy_limit()), extreme};
-  }
-  if (braking.exit() == Extremal::Exit::kArrived && left > 0.0) {
-    return Blocked{BlockReason::kStartTooFast, wall, path.velocity(left), extreme};
-  }
-  return arcs_along(path, braking, start, {end, 0.0});
-}
+ArcsOrBlocked stop_from(const System& system, JointState start) { return arcs_to_rest(system, start, true); }
 
-ArcsOrBlocked run_up_to(const System& system, JointState goal) {
-  if (is_at_rest(system, goal)) return std::vector<Arc>{};
-  const Interval range = system.range();
-  const double wall = goal.velocity > 0.0 ? range.lower : range.upper;
-  const Extreme extreme = goal.velocity > 0.0 ? Extreme::kHighest : Extreme::kLowest;
-  if (goal.position == wall) return Blocked{BlockReason::kGoalTooFast, wall, goal.velocity, extreme};
-  const Path path(system, wall, goal.position);
-  const Extremal driving(path, ArcKind::kAccelerate, path.length(), energy(goal), 0.0);
-  const double end = path.position(driving.end());
-  const double left = driving.energy_at(driving.end());
-  if (driving.exit() == Extremal::Exit::kRest || left == 0.0) return arcs_along(path, driving, {end, 0.0}, goal);
-  return Blocked{BlockReason::kGoalTooFast, end, path.velocity(left), extreme};
-}
+ArcsOrBlocked run_up_to(const System& system, JointState goal) { return arcs_to_rest(system, goal, false); }
 
 std::optional<ArcsOrBlocked> one_way_motion(const System& system, JointState start, JointState goal, double direction) {
   JointState from = start;
