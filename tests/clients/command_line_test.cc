@@ -12,6 +12,7 @@
 #include "clients/cpp/json_file.h"
 #include "dualarm/planning/v1/planning_service.pb.h"
 #include "tests/clients/program_run.h"
+#include "tests/clients/scenarios.h"
 
 namespace dualarm {
 namespace {
@@ -35,16 +36,6 @@ bool comes_true(const auto& holds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return true;
-}
-
-std::string scenario(const std::string& name) {
-  return (fs::path(DUALARM_SOURCE_DIR) / "scenarios" / (name + ".json")).string();
-}
-
-PlanMotionRequest request_of(const std::string& name) {
-  PlanMotionRequest request;
-  read_json(scenario(name), request);
-  return request;
 }
 
 /// Seconds of work for the server, so that a signal meets it at work.

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "clients/cpp/json_file.h"
 #include "dualarm/planning/v1/planning_service.pb.h"
 #include "tests/clients/program_run.h"
+#include "tests/clients/scenarios.h"
 #include "tests/clients/svg_paths.h"
 
 namespace dualarm {
@@ -19,16 +19,6 @@ using namespace planning::v1;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
-
-std::string scenario(const std::string& name) {
-  return (fs::path(DUALARM_SOURCE_DIR) / "scenarios" / (name + ".json")).string();
-}
-
-PlanMotionRequest request_of(const std::string& name) {
-  PlanMotionRequest request;
-  read_json(scenario(name), request);
-  return request;
-}
 
 class PortraitCommandLine : public ::testing::Test {
  protected:

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <map>
 #include <numbers>
-#include <random>
 
 #include "core/planner.h"
+#include "tests/support/dice.h"
 #include "tests/support/independent_check.h"
 #include "tests/support/problems.h"
 
@@ -18,16 +18,6 @@ namespace {
 constexpr int kScenes = 1000;
 constexpr int kShards = 4;
 constexpr double kPi = std::numbers::pi;
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : generator_(seed) {}
-  double between(double least, double most) { return std::uniform_real_distribution<double>(least, most)(generator_); }
-  bool happens(double probability) { return between(0.0, 1.0) < probability; }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 TorqueLimit any_limit(Dice& dice, double strength) {
   if (dice.happens(0.3)) return Interval{-strength, strength};

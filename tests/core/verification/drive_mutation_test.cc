@@ -9,6 +9,7 @@
 #include "core/verification/tolerances.h"
 #include "core/verification/verify.h"
 #include "tests/core/verification/sample_motions.h"
+#include "tests/core/verification/violation_kinds.h"
 #include "tests/support/independent_check.h"
 #include "tests/support/problems.h"
 
@@ -131,12 +132,6 @@ const std::vector<Damage>& damages() {
        [](Plan& p) { p.problem.tasks[0].goal.velocity = 0.0; }},
   };
   return kDamages;
-}
-
-std::vector<ViolationKind> kinds(const Verification& verification) {
-  std::vector<ViolationKind> kinds;
-  for (const Violation& violation : verification.violations) kinds.push_back(violation.kind);
-  return kinds;
 }
 
 TEST(DriveMutation, TheUndamagedPlansHold) {

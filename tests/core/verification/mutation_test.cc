@@ -9,6 +9,7 @@
 
 #include "core/verification/verify.h"
 #include "tests/core/verification/sample_motions.h"
+#include "tests/core/verification/violation_kinds.h"
 #include "tests/support/independent_check.h"
 
 namespace dualarm {
@@ -126,12 +127,6 @@ const std::vector<Damage>& damages() {
       {"TheDurationIsShorterThanTheMotion", ViolationKind::kArc, [](Plan& p) { p.trajectory[0].duration -= 0.01; }},
   };
   return kDamages;
-}
-
-std::vector<ViolationKind> kinds(const Verification& verification) {
-  std::vector<ViolationKind> kinds;
-  for (const Violation& violation : verification.violations) kinds.push_back(violation.kind);
-  return kinds;
 }
 
 TEST(Mutation, TheUndamagedPlanHolds) {
