@@ -8,7 +8,7 @@
 
 // Calls of the steering function with anything in them. ctest makes 3,500, all of which hold. The million that is wanted is
 //   DUALARM_STORM_CALLS=1000000 DUALARM_STORM_SEED=1 steering_storm_test
-// and does not hold yet: some 2 calls in 10,000 fail, on moves of nanoradians, beside an unstable standstill, or on tables
+// and does not hold yet: 15 of 40,000 calls fail, on moves of nanoradians, beside an unstable standstill, or on tables
 // that change by half within 0.1 rad/s (docs/theory.md, section 1.5).
 
 namespace dualarm {
