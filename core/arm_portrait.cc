@@ -41,7 +41,8 @@ DrawnMotion drawn(const FastestMotion& motion, int resolution) {
 
 Undecided not_found(const Infeasible& refusal, const Blocked& blocked) {
   return {"No motion was found and none is excluded: " + refusal.explanation,
-          {"fastest motion: one way and with swings to and fro"},
+          {blocked.is_searched_out ? "fastest motion: one way and with swings to and fro"
+                                   : "fastest motion: one way, and with swings to and fro until time ran out"},
           0.0,
           blocked.lower_bound};
 }
@@ -54,10 +55,10 @@ std::optional<ArmPortrait> arm_portrait(const Problem& problem, int arm, int res
   const Task& task = problem.tasks[arm];
   ArmPortrait portrait = {draw_portrait(system, task.goal, resolution), {}};
   if (budget.exhausted()) return std::nullopt;
-  const auto motion = fastest_motion(system, task.start, task.goal);
+  const auto motion = fastest_motion(system, task.start, task.goal, Swings::kSearch, budget);
   if (const auto* blocked = std::get_if<Blocked>(&motion)) {
     const FreeRange whole = {loaded.joint_range, {}, {}, {}, {}};
-    const Infeasible refusal = refuse_blocked(loaded, task, system, whole, *blocked);
+    const Infeasible refusal = refuse_blocked(loaded, task, system, whole, *blocked, budget);
     portrait.motion = refusal;
     if (!blocked->is_proven) portrait.motion = not_found(refusal, *blocked);
   } else {

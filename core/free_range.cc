@@ -14,7 +14,7 @@ FreeRange free_range(const Problem& problem, int arm, double clearance) {
   for (const Body& moving : moving_bodies(problem, arm)) {
     for (const Body& standing : fixed) {
       const IntervalSet blocked =
-          blocked_positions(problem.arms[arm].base, moving.capsule, standing.capsule, clearance, whole);
+          blocked_positions(problem.arms[arm].base, moving.shape, standing.shape, clearance, whole);
       for (const Interval& stretch : blocked.intervals()) {
         if (stretch.upper >= low && stretch.lower <= high) return {whole, {}, {}, {}, {}};
         if (stretch.upper < low && stretch.upper >= free.range.lower) {

@@ -8,13 +8,14 @@
 #include "core/model/interval_set.h"
 #include "core/model/problem.h"
 #include "core/model/trajectory.h"
+#include "core/passage/gate.h"
 #include "core/verification/verify.h"
 
 namespace dualarm {
 
 /// How strong the statement about a plan's duration is. Theory, section 4.
 enum class Claim {
-  kOptimal,          ///< no motion of any kind is faster
+  kOptimal,          ///< no motion of any kind is faster that keeps the demanded clearance and the planning margin
   kOptimalMonotone,  ///< none is faster among motions in which neither arm turns back
   kGap,              ///< the duration is at most `gap` above the lower bound
 };
@@ -25,14 +26,8 @@ enum class LowerBoundSource {
   kPassage,         ///< theory, section 4
 };
 
-/// The passage that both arms have to share in turn: theta1 = alpha, theta2 beyond beta.
-struct Gate {
-  double theta1 = 0.0;  ///< rad
-  double theta2 = 0.0;  ///< rad
-};
-
 struct Certificate {
-  double lower_bound = 0.0;  ///< s
+  double lower_bound = 0.0;  ///< s, of every plan that keeps the demanded clearance
   double gap = 0.0;          ///< duration / lower_bound - 1, >= 0; 0 where nothing has to move
   Claim claim = Claim::kGap;
   LowerBoundSource source = LowerBoundSource::kFastestMotions;

@@ -8,6 +8,8 @@
 #include "core/coordination/start_times.h"
 #include "core/fallback/state_time_planner.h"
 #include "core/free_range.h"
+#include "core/passage/passage_plan.h"
+#include "core/passage/proof.h"
 #include "core/phase_plane/time_optimal.h"
 #include "core/refusal.h"
 #include "core/refuse_blocked.h"
@@ -22,6 +24,8 @@ namespace {
 /// less, half of what it leaves, but not less than the proof needs on arms of any size.
 constexpr double kPlanningMargin = 1e-4;
 constexpr double kLeastMargin = 1e-5;
+/// Part of the time left that the search for an arm's fastest motion may take: what is found has to be put together.
+constexpr double kFastestMotionShare = 0.5;
 /// How long a plan found when the budget ends may take to be proven.
 constexpr std::chrono::milliseconds kVerificationGrace(250);
 /// Most knot periods a plan may last: what is sent stays below the 50,000 knots an arm that a message may hold.
@@ -41,6 +45,13 @@ SingleJointArm system_within(Arm arm, const FreeRange& free) {
   return SingleJointArm(arm);
 }
 
+/// The problem with the stretches that fixed objects leave at a clearance as joint ranges.
+Problem within_free_ranges(Problem problem, double clearance) {
+  const std::array ranges = {free_range(problem, 0, clearance).range, free_range(problem, 1, clearance).range};
+  for (int i = 0; i < kArmCount; ++i) problem.arms[i].joint_range = ranges[i];
+  return problem;
+}
+
 /// One planning run: its problem, what was found out so far, and what it cost.
 class Run {
  public:
@@ -51,7 +62,8 @@ class Run {
         margin_(std::clamp(0.5 * slack_, kLeastMargin, kPlanningMargin)),
         arms_{loaded_arm(problem, 0), loaded_arm(problem, 1)},
         free_{free_range(problem, 0, clearance()), free_range(problem, 1, clearance())},
-        systems_{system_within(arms_[0], free_[0]), system_within(arms_[1], free_[1])} {}
+        systems_{system_within(arms_[0], free_[0]), system_within(arms_[1], free_[1])},
+        forbidden_(problem, clearance()) {}
 
   Outcome answer() {
     auto found = analytic();
@@ -67,15 +79,19 @@ class Run {
   std::optional<Answer> analytic() {
     for (int i = 0; i < kArmCount; ++i) {
       const Task& task = problem_.tasks[i];
-      auto motion = fastest_motion(systems_[i], task.start, task.goal);
+      auto motion =
+          fastest_motion(systems_[i], task.start, task.goal, Swings::kSearch, budget_.part(kFastestMotionShare));
       if (const auto* blocked = std::get_if<Blocked>(&motion)) {
-        const Infeasible refusal = refuse_blocked(arms_[i], task, systems_[i], free_[i], *blocked);
+        const Infeasible refusal = refuse_blocked(arms_[i], task, systems_[i], free_[i], *blocked, budget_);
         if (blocked->is_proven) return refusal;
-        tried_.push_back(refusal.explanation + " Motions that swing to and fro were searched too, without success.");
+        tried_.push_back(refusal.explanation +
+                         (blocked->is_searched_out
+                              ? " Motions that swing to and fro were searched too, without success."
+                              : " Time ran out in the search for motions that swing to and fro."));
         lower_bound_ = std::max(lower_bound_, blocked->lower_bound);
       } else {
         fastest_.push_back(std::get<FastestMotion>(std::move(motion)));
-        lower_bound_ = std::max(lower_bound_, fastest_.back().lower_bound);
+        lower_bound_ = std::max(lower_bound_, proven_duration(i, fastest_.back()));
       }
     }
     if (slack_ < margin_) return refuse_end_states(problem_, margin_);
@@ -85,12 +101,41 @@ class Run {
     return wait();
   }
 
+  /// What no motion of an arm is faster than, s.
+  double proven_duration(int arm, const FastestMotion& fastest) const {
+    if (fastest.minimum_over == MinimumOver::kAllMotions) return fastest.lower_bound;
+    const double duration = fastest.profile.duration();
+    return std::max(fastest.lower_bound, fastest_proof(problem_, arm, duration));
+  }
+
   /// What is planned with, m: the demanded clearance and the margin.
   double clearance() const { return problem_.options.clearance + margin_; }
 
-  /// The fastest motions, one of them delayed where they would collide. Theory, section 3.
+  /// The fastest motions, one of them delayed where they would collide; or motions through a passage, where those are
+  /// faster or no delay exists. Theory, sections 3 and 4.
   std::optional<Answer> wait() {
-    const PlanOptions& options = problem_.options;
+    const auto times = best_delay();
+    const double longest = std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration());
+    if (!times || times->duration > longest * (1.0 + kAtBound)) bound_by_passage();
+    if (is_parted_) return refuse_parted(problem_);
+    if (!times || times->duration > std::max(longest, passage_.duration) * (1.0 + kAtBound)) {
+      if (auto found = pass(times ? times->duration : std::numeric_limits<double>::infinity())) return found;
+    }
+    if (times) {
+      const Method method = times->first + times->second > 0.0 ? waiting_method() : simultaneous_method();
+      return verified(method, times->duration,
+                      {std::vector{TimedProfile{times->first, fastest_[0].profile}},
+                       {TimedProfile{times->second, fastest_[1].profile}}});
+    }
+    // Other motions than the fastest might take turns, but the methods that are allowed know none.
+    if (has_delays_ && !knows_more_than_delays() && rests_at_ends() && !was_searched()) {
+      return refuse_delays(problem_, safe_delays_);
+    }
+    return std::nullopt;
+  }
+
+  /// When the fastest motions begin, with the best delay that is allowed.
+  std::optional<StartTimes> best_delay() {
     const Profile& first = fastest_[0].profile;
     const Profile& second = fastest_[1].profile;
     const Timing first_timing = timing_of(first);
@@ -100,27 +145,87 @@ class Run {
       tried_.push_back(why_stretch(first.duration(), second.duration()));
       return std::nullopt;
     }
-    const auto forbidden = forbidden_delays(ForbiddenSet(problem_, clearance()), first, second, budget_);
+    const auto forbidden = forbidden_delays(forbidden_, first, second, budget_);
     if (!forbidden) {
       tried_.push_back("start delays: the budget ran out");
       return std::nullopt;
     }
+    has_delays_ = true;
     safe_delays_ = forbidden->complement(possible);
-    const double longest = options.allows(Method::kDelay)          ? options.max_start_delay
-                           : options.allows(Method::kSimultaneous) ? 0.0
-                                                                   : -1.0;
-    if (const auto times = best_start_times(safe_delays_, first_timing, second_timing, longest)) {
-      const bool waits = times->first + times->second > 0.0 || !options.allows(Method::kSimultaneous);
-      return verified(waits ? Method::kDelay : Method::kSimultaneous, times->duration,
-                      {std::vector{TimedProfile{times->first, first}}, {TimedProfile{times->second, second}}});
+    const PlanOptions& options = problem_.options;
+    const double longest = options.allows(Method::kDelay) || options.allows(Method::kPassage) ? options.max_start_delay
+                           : options.allows(Method::kSimultaneous)                            ? 0.0
+                                                                                              : -1.0;
+    const auto times = best_start_times(safe_delays_, first_timing, second_timing, longest);
+    if (!times) {
+      std::string line = "start delays: none that is allowed avoids a collision of the fastest motions";
+      if (!rests_at_ends())
+        line += "; arms in motion at their start cannot wait, those in motion at their goal not be early";
+      tried_.push_back(line);
     }
-    std::string line = "start delays: none that is allowed avoids a collision of the fastest motions";
-    if (!rests_at_ends())
-      line += "; arms in motion at their start cannot wait, those in motion at their goal not be early";
-    tried_.push_back(line);
-    // Other motions than the fastest might take turns, but the methods that are allowed know none.
-    if (!search_is_allowed() && rests_at_ends() && !was_searched()) return refuse_delays(problem_, safe_delays_);
+    return times;
+  }
+
+  /// Delays are the simplest motions through a passage.
+  Method waiting_method() const { return problem_.options.allows(Method::kDelay) ? Method::kDelay : Method::kPassage; }
+  Method simultaneous_method() const {
+    return problem_.options.allows(Method::kSimultaneous) ? Method::kSimultaneous : waiting_method();
+  }
+  bool knows_more_than_delays() const { return search_is_allowed() || problem_.options.allows(Method::kPassage); }
+
+  /// What passages tell of plans that keep the planning margin, and of all that keep the demanded clearance.
+  void bound_by_passage() {
+    travellers_.emplace(Travellers{traveller(0), traveller(1)});
+    const Problem planned = within_free_ranges(problem_, clearance());
+    passage_ = passage_bound(ForbiddenPlane(planned, clearance()), *travellers_, budget_);
+    margin_proof_ = proof_of(passage_, planned);
+    const double demanded = problem_.options.clearance;
+    const Problem free = within_free_ranges(problem_, demanded);
+    is_parted_ = std::isinf(passage_.duration) &&
+                 std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget_).duration);
+    if (std::isfinite(passage_.duration)) proof_ = passage_proof(free, demanded, passage_.duration, budget_);
+  }
+
+  Traveller traveller(int arm) const {
+    return {&systems_[arm], problem_.tasks[arm].start, problem_.tasks[arm].goal, fastest_[arm].profile};
+  }
+
+  /// The fastest motions found through a passage, if they take less than `known` (s). Theory, section 4.
+  std::optional<Answer> pass(double known) {
+    if (!problem_.options.allows(Method::kPassage)) return std::nullopt;
+    if (passage_.ways.empty()) {
+      tried_.push_back("passage: no gate was found that the arms have to pass in turn");
+      return std::nullopt;
+    }
+    if (auto found = pass_extremally()) return found;
+    const double least = std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration());
+    std::optional<PassagePlan> best;
+    for (const Way& way : passage_.ways) {
+      auto found = passage_plan(forbidden_, *travellers_, way, least, known, problem_.options.max_start_delay, budget_);
+      if (!found) continue;
+      best = std::move(found);
+      known = best->times.duration;
+    }
+    if (best) return verified(*best);
+    tried_.push_back("passage: no motions through it were found that are free and faster than a delay");
     return std::nullopt;
+  }
+
+  /// The extremal motions through the fastest way, if they are free. Verification tells that faster than a search.
+  std::optional<Answer> pass_extremally() {
+    const double least = std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration());
+    const auto extremal = extremal_plan(*travellers_, passage_.ways.front(), least, problem_.options.max_start_delay);
+    if (!extremal || budget_.exhausted()) return std::nullopt;
+    const std::size_t tried = tried_.size();
+    auto found = verified(*extremal);
+    if (!found) tried_.resize(tried);
+    return found;
+  }
+
+  std::optional<Answer> verified(const PassagePlan& plan) {
+    return verified(Method::kPassage, plan.times.duration,
+                    {std::vector{TimedProfile{plan.times.first, plan.motions[0]}},
+                     {TimedProfile{plan.times.second, plan.motions[1]}}});
   }
 
   /// An arm that can neither wait nor be early, and would have to be slower than its fastest motion.
@@ -200,9 +305,14 @@ class Run {
   Certificate certificate(Method method, double duration) const {
     Certificate certificate;
     certificate.lower_bound = lower_bound_;
-    certificate.gap = duration > 0.0 ? std::max(0.0, duration / lower_bound_ - 1.0) : 0.0;
-    if (method != Method::kStateTime) certificate.safe_start_delays = safe_delays_;
-    if (duration <= lower_bound_ * (1.0 + kAtBound)) {
+    if (proof_.duration > lower_bound_ && proof_.gate) {
+      certificate.lower_bound = proof_.duration;
+      certificate.source = LowerBoundSource::kPassage;
+      certificate.gate = proof_.gate;
+    }
+    certificate.gap = duration > 0.0 ? std::max(0.0, duration / certificate.lower_bound - 1.0) : 0.0;
+    if (method == Method::kSimultaneous || method == Method::kDelay) certificate.safe_start_delays = safe_delays_;
+    if (duration <= std::max(certificate.lower_bound, margin_proof_.duration) * (1.0 + kAtBound)) {
       certificate.claim = Claim::kOptimal;
     } else if (duration <= monotone_bound() * (1.0 + kAtBound)) {
       certificate.claim = Claim::kOptimalMonotone;
@@ -224,7 +334,7 @@ class Run {
     answer.explanation = remedy_;
     answer.tried = tried_;
     answer.seconds_spent = seconds_since(begin_);
-    answer.best_lower_bound = lower_bound_;
+    answer.best_lower_bound = std::max(lower_bound_, proof_.duration);
     return answer;
   }
 
@@ -235,9 +345,16 @@ class Run {
   std::array<Arm, kArmCount> arms_;
   std::array<FreeRange, kArmCount> free_;
   std::array<SingleJointArm, kArmCount> systems_;
+  ForbiddenSet forbidden_;  ///< at the planning clearance
   Budget::Clock::time_point begin_ = Budget::Clock::now();
   std::vector<FastestMotion> fastest_;
-  double lower_bound_ = 0.0;  ///< s, of every plan
+  double lower_bound_ = 0.0;  ///< s, of every plan, by each arm's motion on its own
+  std::optional<Travellers> travellers_;
+  PassageBound passage_;       ///< at the planning clearance
+  PassageProof margin_proof_;  ///< what is proven of it
+  PassageProof proof_;         ///< at the demanded clearance
+  bool is_parted_ = false;     ///< no path leads from the start to the goal
+  bool has_delays_ = false;    ///< whether safe_delays_ is known
   IntervalSet safe_delays_;
   std::vector<std::string> tried_;
   std::string remedy_ =

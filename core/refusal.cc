@@ -21,7 +21,7 @@ std::vector<Body> placed_bodies(const Problem& problem, int arm, bool at_goal) {
   const Task& task = problem.tasks[arm];
   const Eigen::Isometry3d pose = link_pose(problem.arms[arm].base, at_goal ? task.goal.position : task.start.position);
   std::vector<Body> bodies = moving_bodies(problem, arm);
-  for (Body& body : bodies) body.capsule = placed(body.capsule, pose);
+  for (Body& body : bodies) body.shape = placed(body.shape, pose);
   return bodies;
 }
 
@@ -33,7 +33,7 @@ std::optional<PlacedPair> closest_pair(const Problem& problem) {
     const auto consider = [&](const std::vector<Body>& some, const std::vector<Body>& others) {
       for (const Body& first : some) {
         for (const Body& second : others) {
-          const double distance = clearance(first.capsule, second.capsule).distance;
+          const double distance = clearance(first.shape, second.shape).distance;
           if (!closest || distance < closest->distance) closest = {first.name, second.name, distance, at_goal};
         }
       }
@@ -97,7 +97,7 @@ std::optional<Infeasible> refuse_sweeps(const Problem& problem, double margin) {
     for (const Body& moving : moving_bodies(problem, i)) {
       for (const Body& standing : fixed) {
         const IntervalSet blocked =
-            blocked_positions(problem.arms[i].base, moving.capsule, standing.capsule, demanded + margin, {low, high});
+            blocked_positions(problem.arms[i].base, moving.shape, standing.shape, demanded + margin, {low, high});
         if (blocked.empty()) continue;
         const Interval first = blocked.intervals().front();
         Evidence evidence;
@@ -131,6 +131,19 @@ Infeasible refuse_delays(const Problem& problem, const IntervalSet& safe_delays)
                        " s and the named methods are allowed; allow more delay or more methods.")
               : worded("Whichever arm waits, and however long, the fastest motions collide, and no other method is "
                        "allowed; allow METHOD_STATE_TIME, which needs REGION_MODEL_EXACT."),
+          evidence};
+}
+
+Infeasible refuse_parted(const Problem& problem) {
+  const std::string& first = problem.arms[0].name;
+  const std::string& second = problem.arms[1].name;
+  Evidence evidence;
+  evidence.first_body = first;
+  evidence.second_body = second;
+  return {InfeasibleReason::kNoCoordination,
+          worded("Inside the joint ranges no path leads from the start to the goal on which ", first, " and ", second,
+                 " keep their clearance, however slow they are and whoever gives way; widen the joint ranges, or move "
+                 "the start or the goal to the same side of the other arm."),
           evidence};
 }
 

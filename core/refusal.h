@@ -23,4 +23,7 @@ std::optional<Infeasible> refuse_sweeps(const Problem& problem, double margin);
 /// The answer if every delay up to the allowed one collides and no other method is allowed.
 Infeasible refuse_delays(const Problem& problem, const IntervalSet& safe_delays);
 
+/// The answer if the forbidden set parts the start from the goal.
+Infeasible refuse_parted(const Problem& problem);
+
 }  // namespace dualarm

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "core/phase_plane/trace.h"
+#include "core/shortfall.h"
 #include "core/wording.h"
 
 namespace dualarm {
@@ -35,15 +39,51 @@ InfeasibleReason reason_of(BlockReason reason) {
   throw std::logic_error("unknown block reason");
 }
 
+/// Part of a torque below which what is missing of it is rounding.
+constexpr double kTorqueShowing = 1e-9;
+
 std::string place(double position) { return worded(position, " rad (", degrees(position), " deg)"); }
 
-Infeasible outside_range(const Arm& arm, const Blocked& blocked) {
+/// Two numbers, with six digits or as many as it takes to tell them apart.
+std::pair<std::string, std::string> told_apart(double one, double other) {
+  const auto digits = [](double number, int precision) {
+    std::ostringstream text;
+    text.precision(precision);
+    text << number;
+    return text.str();
+  };
+  int precision = 6;
+  while (one != other && precision < 17 && digits(one, precision) == digits(other, precision)) ++precision;
+  return {digits(one, precision), digits(other, precision)};
+}
+
+/// What would be enough: how much wider a limit of an arm has to be, if it is known.
+class Remedy {
+ public:
+  Remedy(const Arm& arm, const Task& task, const FreeRange& free, const Blocked& blocked, const Budget& budget)
+      : arm_(arm), task_(task), is_proven_(blocked.is_proven), budget_(budget) {
+    arm_.joint_range = free.range;
+  }
+
+  std::optional<double> amount(WidenedLimit limit, std::optional<double> guess) const {
+    return is_proven_ ? shortfall(arm_, task_, limit, guess, budget_) : std::nullopt;
+  }
+
+ private:
+  Arm arm_;
+  const Task& task_;
+  bool is_proven_;
+  const Budget& budget_;
+};
+
+Infeasible outside_range(const Arm& arm, const Blocked& blocked, const Remedy& remedy) {
   const double excess = std::max(arm.joint_range.lower - blocked.position, blocked.position - arm.joint_range.upper);
   const char* which = blocked.reason == BlockReason::kStartOutsideRange ? "start" : "goal";
   Evidence evidence;
   evidence.arm = arm.name;
   evidence.position = blocked.position;
-  evidence.relaxation = excess;
+  const bool is_below = blocked.position < arm.joint_range.lower;
+  evidence.relaxation = remedy.amount(is_below ? WidenedLimit::kRangeBelow : WidenedLimit::kRangeAbove, excess);
   return {reason_of(blocked.reason),
           worded("The ", which, " of ", arm.name, ", ", place(blocked.position), ", lies outside its joint range [",
                  arm.joint_range.lower, ", ", arm.joint_range.upper, "] rad by ", excess,
@@ -52,14 +92,14 @@ Infeasible outside_range(const Arm& arm, const Blocked& blocked) {
 }
 
 /// A start or goal whose velocity breaks its limit.
-Infeasible beyond_velocity_limit(const Arm& arm, const JointState& state, BlockReason reason) {
+Infeasible beyond_velocity_limit(const Arm& arm, const JointState& state, BlockReason reason, const Remedy& remedy) {
   const double excess = std::max(arm.velocity.lower - state.velocity, state.velocity - arm.velocity.upper);
   const bool at_start = reason == BlockReason::kStartTooFast;
   Evidence evidence;
   evidence.arm = arm.name;
   evidence.position = state.position;
   evidence.velocity = state.velocity;
-  evidence.relaxation = excess;
+  evidence.relaxation = remedy.amount(WidenedLimit::kVelocity, excess);
   return {reason_of(reason),
           worded(arm.name, at_start ? " starts with " : " has to arrive with ", state.velocity, " rad/s at ",
                  place(state.position), ", ", excess, " rad/s beyond its velocity limits [", arm.velocity.lower, ", ",
@@ -113,20 +153,27 @@ std::string story(const JointState& state, const Wall& wall, const Blocked& bloc
 
 /// A start too fast to be braked, or a goal too fast to be reached, inside the free range.
 Infeasible out_of_room(const Arm& arm, const JointState& state, const SingleJointArm& system, const FreeRange& free,
-                       const Blocked& blocked) {
+                       const Blocked& blocked, const Remedy& remedy) {
   const bool at_start = blocked.reason == BlockReason::kStartTooFast;
   const Wall wall = wall_of(free, state, at_start);
   Evidence evidence;
   evidence.arm = arm.name;
   evidence.position = blocked.position;
   evidence.velocity = blocked.velocity;
-  std::string remedy =
+  std::string advice =
       wall.object.empty() ? "give a larger range or more torque." : "give more torque or move the object.";
-  if (blocked.position == wall.position) {
+  const auto* line = std::get_if<TorqueSpeedLine>(&arm.torque);
+  if (!at_start && line != nullptr && std::abs(state.velocity) >= line->no_load_speed) {
+    advice = worded("give it a drive with a higher no-load speed: this one gives no torque at its no-load speed, ",
+                    line->no_load_speed, " rad/s, and above.");
+  } else if (blocked.position == wall.position) {
     evidence.first_body = wall.body;
     evidence.second_body = wall.object;
-    evidence.relaxation = missing_room(system, blocked, at_start);
-    if (evidence.relaxation) remedy = worded("give ", *evidence.relaxation, " rad more room, or more torque.");
+    if (const auto room = missing_room(system, blocked, at_start)) {
+      const bool is_above = wall.position == free.range.upper;
+      evidence.relaxation = remedy.amount(is_above ? WidenedLimit::kRangeAbove : WidenedLimit::kRangeBelow, *room);
+      advice = worded("give ", *room, " rad more room, or more torque.");
+    }
   }
   return {reason_of(blocked.reason),
           worded(arm.name, at_start ? " starts with " : " has to arrive with ", state.velocity, " rad/s at ",
@@ -134,7 +181,7 @@ Infeasible out_of_room(const Arm& arm, const JointState& state, const SingleJoin
                  !slower_helps(system, state, blocked, at_start) ? ""
                  : at_start                                      ? "start slower, or "
                                                                  : "arrive slower, or ",
-                 remedy),
+                 advice),
           evidence};
 }
 
@@ -148,15 +195,59 @@ std::string what_fails(BlockReason reason) {
       return "stalls on the way even with full torque";
     case BlockReason::kCannotBrake:
       return "cannot be braked to its goal, not even with full torque";
-    case BlockReason::kVelocityLimit:
-      return "cannot keep its velocity limit, not even braking with full torque";
     default:
       throw std::logic_error("not a matter of torque");
   }
 }
 
+/// Where a motion would have to break a velocity limit: full braking does not keep it, or full drive from the limit
+/// does not get past what follows.
+Infeasible beyond_keeping(const Arm& arm, const SingleJointArm& system, const Blocked& blocked, const Remedy& remedy) {
+  const Interval limits = torque_limits(arm.torque, blocked.position, blocked.velocity);
+  const bool is_lowest = blocked.extreme == Extreme::kLowest;
+  const double needed = system.torque({blocked.position, blocked.velocity}, 0.0);
+  const double available = is_lowest ? limits.lower : limits.upper;
+  const bool brakes = is_lowest == (blocked.velocity > 0.0);
+  Evidence evidence;
+  evidence.arm = arm.name;
+  evidence.position = blocked.position;
+  evidence.velocity = blocked.velocity;
+  evidence.available_torque = available;
+  std::string shortfall_of_torque;
+  if ((is_lowest ? available - needed : needed - available) > kTorqueShowing * std::abs(available)) {
+    const auto [need, have] = told_apart(needed, available);
+    evidence.needed_torque = needed;
+    shortfall_of_torque = worded(", where keeping that velocity needs ", need, " N m and ", have, " N m are available");
+  }
+  evidence.relaxation = remedy.amount(WidenedLimit::kVelocity, std::nullopt);
+  const std::string wider = evidence.relaxation ? worded("a velocity limit ", *evidence.relaxation, " rad/s larger")
+                                                : std::string("a larger velocity limit");
+  return {
+      reason_of(blocked.reason),
+      worded(arm.name, " cannot keep its velocity limits [", arm.velocity.lower, ", ", arm.velocity.upper, "] rad/s: ",
+             brakes ? "braking with full torque, it still gets faster than " : "even with full torque from ",
+             blocked.velocity, " rad/s at ", place(blocked.position), shortfall_of_torque,
+             brakes ? "" : " it does not get past what follows", "; give it ", wider, " or more torque."),
+      evidence};
+}
+
+/// What the drive and gravity are apart.
+std::string shortfall_of(double needed, double available, const Blocked& blocked, std::optional<double> relaxation) {
+  const auto [need, have] = told_apart(needed, available);
+  const bool gives_too_much = blocked.extreme == Extreme::kLowest ? available > 0.0 : available < 0.0;
+  if (gives_too_much && needed != available) {
+    return worded(need, " N m, and the drive gives no ", available > 0.0 ? "less" : "more", " than ", have,
+                  " N m; let its torque limits reach ", need, " N m.");
+  }
+  const std::string advice = relaxation
+                                 ? worded("; torque limits ", *relaxation, " N m wider would be enough, or less load.")
+                                 : std::string("; give the drive more torque or the arm less load.");
+  return needed == available ? worded("all of the ", have, " N m that are available, so that nothing is left", advice)
+                             : worded(need, " N m and ", have, " N m are available", advice);
+}
+
 /// Where the torque falls short of what keeps the velocity.
-Infeasible too_weak(const Arm& arm, const SingleJointArm& system, const Blocked& blocked) {
+Infeasible too_weak(const Arm& arm, const SingleJointArm& system, const Blocked& blocked, const Remedy& remedy) {
   const Interval limits = torque_limits(arm.torque, blocked.position, blocked.velocity);
   const double needed = system.torque({blocked.position, blocked.velocity}, 0.0);
   const double available = blocked.extreme == Extreme::kLowest ? limits.lower : limits.upper;
@@ -165,6 +256,8 @@ Infeasible too_weak(const Arm& arm, const SingleJointArm& system, const Blocked&
   evidence.position = blocked.position;
   if (blocked.velocity != 0.0) evidence.velocity = blocked.velocity;
   evidence.available_torque = available;
+  const double missing = std::abs(needed - available);
+  evidence.relaxation = remedy.amount(WidenedLimit::kTorque, missing > 0.0 ? std::optional(missing) : std::nullopt);
   // A state can be missed although the torque keeps the arm in it: there was too little room to get there.
   if (!(blocked.extreme == Extreme::kLowest ? needed <= available : needed >= available)) {
     return {reason_of(blocked.reason),
@@ -174,39 +267,34 @@ Infeasible too_weak(const Arm& arm, const SingleJointArm& system, const Blocked&
             evidence};
   }
   evidence.needed_torque = needed;
-  evidence.relaxation = std::abs(needed - available);
   const std::string state = blocked.velocity == 0.0
                                 ? "gravity needs "
                                 : worded("with ", blocked.velocity, " rad/s, keeping that velocity needs ");
-  const bool gives_too_much = blocked.extreme == Extreme::kLowest ? available > 0.0 : available < 0.0;
-  const std::string shortfall =
-      gives_too_much
-          ? worded(" N m, and the drive gives no ", available > 0.0 ? "less" : "more", " than ", available,
-                   " N m; let its torque limits reach ", needed, " N m.")
-          : worded(" N m and ", available, " N m are available; give the drive more torque or the arm ",
-                   blocked.reason == BlockReason::kVelocityLimit ? "a larger velocity limit." : "less load.");
   return {reason_of(blocked.reason),
-          worded(arm.name, " ", what_fails(blocked.reason), ": at ", place(blocked.position), " ", state, needed,
-                 shortfall),
+          worded(arm.name, " ", what_fails(blocked.reason), ": at ", place(blocked.position), " ", state,
+                 shortfall_of(needed, available, blocked, evidence.relaxation)),
           evidence};
 }
 
 }  // namespace
 
 Infeasible refuse_blocked(const Arm& arm, const Task& task, const SingleJointArm& system, const FreeRange& free,
-                          const Blocked& blocked) {
+                          const Blocked& blocked, const Budget& budget) {
+  const Remedy remedy(arm, task, free, blocked, budget);
   switch (blocked.reason) {
     case BlockReason::kStartOutsideRange:
     case BlockReason::kGoalOutsideRange:
-      return outside_range(arm, blocked);
+      return outside_range(arm, blocked, remedy);
     case BlockReason::kStartTooFast:
     case BlockReason::kGoalTooFast: {
       const JointState& state = blocked.reason == BlockReason::kStartTooFast ? task.start : task.goal;
-      return arm.velocity.contains(state.velocity) ? out_of_room(arm, state, system, free, blocked)
-                                                   : beyond_velocity_limit(arm, state, blocked.reason);
+      return arm.velocity.contains(state.velocity) ? out_of_room(arm, state, system, free, blocked, remedy)
+                                                   : beyond_velocity_limit(arm, state, blocked.reason, remedy);
     }
+    case BlockReason::kVelocityLimit:
+      return beyond_keeping(arm, system, blocked, remedy);
     default:
-      return too_weak(arm, system, blocked);
+      return too_weak(arm, system, blocked, remedy);
   }
 }
 

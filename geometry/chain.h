@@ -23,7 +23,8 @@ struct Base {
 /// z whatever the sense of rotation.
 Eigen::Isometry3d link_pose(const Base& base, double joint_position);
 
-/// The capsule moved by a pose.
+/// The shape moved by a pose, of the same kind.
 Capsule placed(const Capsule& capsule, const Eigen::Isometry3d& pose);
+Shape placed(const Shape& shape, const Eigen::Isometry3d& pose);
 
 }  // namespace dualarm

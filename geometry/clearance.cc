@@ -1,9 +1,16 @@
 #include "geometry/clearance.h"
 
+#include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "geometry/nearest_points.h"
+#include "geometry/support.h"
 
 namespace dualarm {
 namespace {
@@ -20,42 +27,173 @@ constexpr double kFloorOfError = 3e-7;
 // the axes falls below the square root of the machine's precision (1.5e-8); the test measures 2e-8 at worst.
 constexpr double kErrorPerLength = 4e-8;
 
+// GJK stops when a step gains less than this, of the size of the scene. FCL's own 1e-6 costs up to 3.5e-2 m.
+constexpr double kGjkTolerance = 1e-12;
+
+// How far FCL's distance of a scene about one metre in size may be above what is proven about it: more than rounding,
+// less than anybody will notice.
+constexpr double kProvenGap = 1e-10;
+
+// m. Rounding of coordinates of up to 10 km in the plane that proves a distance (some 1e-11 m), with room to spare.
+constexpr double kFloorOfRounding = 1e-9;
+
+// m per m of either body, the same for its size.
+constexpr double kRoundingPerLength = 1e-14;
+
 double axis_length(const Capsule& capsule) { return (capsule.end - capsule.start).norm(); }
 
-/// FCL's capsule lies centred along its own z axis, and its length does not count the caps.
-struct FclBody {
-  fcl::Capsuled shape;
-  fcl::Transform3d pose;
+/// What is left of a shape without its rounding: all points within `radius` of the core are the shape. A capsule as a
+/// core has radius 0; a plate is a box, whatever is thinner is a segment or a point.
+struct Core {
+  Shape shape;
+  double radius = 0.0;
 };
 
-FclBody to_fcl(const Capsule& capsule) {
-  const double length = axis_length(capsule);
-  const bool is_sphere = length < kShortestAxis;
-  FclBody body = {fcl::Capsuled(capsule.radius, is_sphere ? 0.0 : length), fcl::Transform3d::Identity()};
-  body.pose.translation() = 0.5 * (capsule.start + capsule.end);
-  if (!is_sphere) {
-    const Eigen::Vector3d z = (capsule.end - capsule.start) / length;
-    const Eigen::Vector3d x = z.unitOrthogonal();
-    body.pose.linear() << x, z.cross(x), z;
+struct CoreOf {
+  Core operator()(const Capsule& capsule) const { return {Capsule{capsule.start, capsule.end, 0.0}, capsule.radius}; }
+  Core operator()(const Box& box) const {
+    if ((box.half_extents.array() > 0.0).count() > 1) return {box, 0.0};
+    return {Capsule{box.pose * box.half_extents, box.pose * Eigen::Vector3d(-box.half_extents), 0.0}, 0.0};
   }
-  return body;
+  Core operator()(const Cylinder& cylinder) const {
+    if (cylinder.radius == 0.0) return {Capsule{cylinder.start, cylinder.end, 0.0}, 0.0};
+    if ((cylinder.end - cylinder.start).norm() >= kShortestCylinder) return {cylinder, 0.0};
+    return {Capsule{centre(cylinder), centre(cylinder), 0.0}, bounding_radius(cylinder)};
+  }
+};
+
+Core core_of(const Shape& shape) { return std::visit(CoreOf{}, shape); }
+
+const Capsule* axis_of(const Core& core) { return std::get_if<Capsule>(&core.shape); }
+
+/// Seen from `origin`, `scale` times as large.
+Shape scaled(const Shape& shape, const Eigen::Vector3d& origin, double scale) {
+  struct Scaled {
+    const Eigen::Vector3d& origin;
+    double scale;
+    Shape operator()(const Capsule& capsule) const {
+      return Capsule{scale * (capsule.start - origin), scale * (capsule.end - origin), 0.0};
+    }
+    Shape operator()(Box box) const {
+      box.pose.translation() = scale * (box.pose.translation() - origin);
+      box.half_extents *= scale;
+      return box;
+    }
+    Shape operator()(const Cylinder& cylinder) const {
+      return Cylinder{scale * (cylinder.start - origin), scale * (cylinder.end - origin), scale * cylinder.radius};
+    }
+  };
+  return std::visit(Scaled{origin, scale}, shape);
+}
+
+/// FCL's shapes lie centred in their own frame, along z if they have an axis; lengths do not count round caps.
+struct FclBody {
+  std::variant<fcl::Sphered, fcl::Capsuled, fcl::Boxd, fcl::Cylinderd> shape;
+  fcl::Transform3d pose;
+
+  const fcl::CollisionGeometryd* geometry() const {
+    return std::visit([](const auto& kind) -> const fcl::CollisionGeometryd* { return &kind; }, shape);
+  }
+};
+
+fcl::Transform3d pose_of_axis(const Eigen::Vector3d& start, const Eigen::Vector3d& end) {
+  fcl::Transform3d pose = fcl::Transform3d::Identity();
+  pose.translation() = 0.5 * (start + end);
+  const double length = (end - start).norm();
+  if (length == 0.0) return pose;
+  const Eigen::Vector3d z = (end - start) / length;
+  const Eigen::Vector3d x = z.unitOrthogonal();
+  pose.linear() << x, z.cross(x), z;
+  return pose;
+}
+
+struct ToFcl {
+  FclBody operator()(const Capsule& capsule) const {
+    const double length = axis_length(capsule);
+    const fcl::Transform3d pose = pose_of_axis(capsule.start, capsule.end);
+    if (length == 0.0) return {fcl::Sphered(capsule.radius), pose};
+    return {fcl::Capsuled(capsule.radius, length), pose};
+  }
+  FclBody operator()(const Box& box) const { return {fcl::Boxd(Eigen::Vector3d(2.0 * box.half_extents)), box.pose}; }
+  FclBody operator()(const Cylinder& cylinder) const {
+    return {fcl::Cylinderd(cylinder.radius, (cylinder.end - cylinder.start).norm()),
+            pose_of_axis(cylinder.start, cylinder.end)};
+  }
+};
+
+/// FCL's distance, not positive where it sees an overlap. Never signed: FCL 0.7 then leaves the closed form of capsules
+/// and aborts the process on some touching pairs. Never its default solver either, which asserts that it has not lost
+/// its way and aborts on one in some hundred pairs of cylinders; FCL's own GJK knows no assertions.
+Clearance ask_fcl(const FclBody& first, const FclBody& second) {
+  fcl::DistanceRequestd request(/*enable_nearest_points=*/true);
+  request.gjk_solver_type = fcl::GST_INDEP;
+  request.distance_tolerance = kGjkTolerance;
+  fcl::DistanceResultd result;
+  fcl::distance(first.geometry(), first.pose, second.geometry(), second.pose, request, result);
+  return {result.min_distance, result.nearest_points[0], result.nearest_points[1]};
+}
+
+/// Nearest points of two cores about one metre in size. FCL's are taken where a plane across them proves their
+/// distance.
+NearestPoints proven_points(const Shape& first, const Shape& second) {
+  const Clearance found = ask_fcl(std::visit(ToFcl{}, first), std::visit(ToFcl{}, second));
+  Eigen::Vector3d across = found.point_on_first - found.point_on_second;
+  if (found.distance > 0.0 && across.norm() > 0.0) {
+    const double proven = separation(first, second, across);
+    if (found.distance - proven <= kProvenGap) {
+      return {found.point_on_first, found.point_on_second, std::min(found.distance, proven)};
+    }
+  } else {
+    across = centre(first) - centre(second);
+  }
+  return nearest_points(first, second, across.norm() > 0.0 ? across : Eigen::Vector3d::UnitX());
+}
+
+/// A power of two, so that scaling rounds nothing, that makes the scene about one metre in size: libccd has absolute
+/// thresholds.
+double scale_to_one(const Shape& first, const Shape& second) {
+  const double size = bounding_radius(first) + bounding_radius(second) + (centre(first) - centre(second)).norm();
+  return std::exp2(-std::ceil(std::log2(size)));
+}
+
+Clearance clearance_of_cores(const Core& first, const Core& second) {
+  const Eigen::Vector3d origin = centre(first.shape);
+  const double scale = scale_to_one(first.shape, second.shape);
+  const NearestPoints found = proven_points(scaled(first.shape, origin, scale), scaled(second.shape, origin, scale));
+  const Eigen::Vector3d across = found.on_first - found.on_second;
+  const Eigen::Vector3d normal = across.norm() > 0.0 ? across.normalized() : across;
+  return {found.lower_bound / scale - first.radius - second.radius,
+          origin + found.on_first / scale - first.radius * normal,
+          origin + found.on_second / scale + second.radius * normal};
 }
 
 }  // namespace
 
 Clearance clearance(const Capsule& first, const Capsule& second) {
-  const FclBody a = to_fcl(first);
-  const FclBody b = to_fcl(second);
-  // Never signed: FCL 0.7 then leaves the closed form and aborts the process on some touching pairs. The unsigned call
-  // is negative on overlap for two capsules all the same.
-  const fcl::DistanceRequestd request(/*enable_nearest_points=*/true);
-  fcl::DistanceResultd result;
-  fcl::distance(&a.shape, a.pose, &b.shape, b.pose, request, result);
-  return {result.min_distance, result.nearest_points[0], result.nearest_points[1]};
+  const auto without_speck = [](const Capsule& capsule) -> FclBody {
+    const double length = axis_length(capsule);
+    if (length >= kShortestAxis) return ToFcl{}(capsule);
+    const Eigen::Vector3d middle = 0.5 * (capsule.start + capsule.end);
+    return {fcl::Capsuled(capsule.radius, 0.0), pose_of_axis(middle, middle)};
+  };
+  return ask_fcl(without_speck(first), without_speck(second));
 }
 
-double clearance_error(const Capsule& first, const Capsule& second) {
-  return kFloorOfError + kErrorPerLength * std::max(axis_length(first), axis_length(second));
+Clearance clearance(const Shape& first, const Shape& second) {
+  const Core a = core_of(first);
+  const Core b = core_of(second);
+  if (axis_of(a) == nullptr || axis_of(b) == nullptr) return clearance_of_cores(a, b);
+  return clearance(Capsule{axis_of(a)->start, axis_of(a)->end, a.radius},
+                   Capsule{axis_of(b)->start, axis_of(b)->end, b.radius});
+}
+
+double clearance_error(const Shape& first, const Shape& second) {
+  const Core a = core_of(first);
+  const Core b = core_of(second);
+  if (axis_of(a) == nullptr || axis_of(b) == nullptr) {
+    return kFloorOfRounding + kRoundingPerLength * (bounding_radius(first) + bounding_radius(second));
+  }
+  return kFloorOfError + kErrorPerLength * std::max(axis_length(*axis_of(a)), axis_length(*axis_of(b)));
 }
 
 }  // namespace dualarm

@@ -8,6 +8,9 @@
 namespace dualarm {
 namespace {
 
+/// The closed form is one of capsules; a request is refused that has others.
+const Capsule& capsule_of(const Shape& shape) { return std::get<Capsule>(shape); }
+
 Segment flat(const Capsule& capsule) { return {capsule.start.head<2>(), capsule.end.head<2>()}; }
 
 /// A clockwise arm seen from below is a counterclockwise one.
@@ -39,13 +42,14 @@ ForbiddenSet::ForbiddenSet(const Problem& problem, double clearance)
       second_length_(problem.arms[1].length) {
   for (const Body& first : moving_bodies(problem, 0)) {
     for (const Body& second : moving_bodies(problem, 1)) {
-      const double height =
-          first_base_.position.z() + first.capsule.start.z() - second_base_.position.z() - second.capsule.start.z();
-      const double distance = distance_in_plane(first.capsule.radius + second.capsule.radius + clearance, height);
+      const Capsule& a = capsule_of(first.shape);
+      const Capsule& b = capsule_of(second.shape);
+      const double height = first_base_.position.z() + a.start.z() - second_base_.position.z() - b.start.z();
+      const double distance = distance_in_plane(a.radius + b.radius + clearance, height);
       if (distance < 0.0) continue;
-      const Segment of_first = flat(first.capsule);
-      pairs_.push_back({of_first, mirrored(flat(second.capsule), second_base_), distance,
-                        std::max(of_first.start.norm(), of_first.end.norm())});
+      const Segment of_first = flat(a);
+      pairs_.push_back(
+          {of_first, mirrored(flat(b), second_base_), distance, std::max(of_first.start.norm(), of_first.end.norm())});
     }
   }
 }
@@ -95,12 +99,14 @@ Interval ForbiddenSet::paper_slice(Interval theta1) const {
   return {0.0, std::min(std::acos(std::max(cosine, -1.0)), elevation(highest))};
 }
 
-IntervalSet blocked_positions(const Base& base, const Capsule& moving, const Capsule& fixed, double clearance,
+IntervalSet blocked_positions(const Base& base, const Shape& moving, const Shape& fixed, double clearance,
                               Interval window) {
-  const double height = base.position.z() + moving.start.z() - fixed.start.z();
-  const double distance = distance_in_plane(moving.radius + fixed.radius + clearance, height);
+  const Capsule& a = capsule_of(moving);
+  const Capsule& b = capsule_of(fixed);
+  const double height = base.position.z() + a.start.z() - b.start.z();
+  const double distance = distance_in_plane(a.radius + b.radius + clearance, height);
   if (distance < 0.0) return {};
-  return IntervalSet(colliding_angles(seen_from(base, flat(fixed)), mirrored(flat(moving), base), distance, window));
+  return IntervalSet(colliding_angles(seen_from(base, flat(b)), mirrored(flat(a), base), distance, window));
 }
 
 }  // namespace dualarm

@@ -46,8 +46,8 @@ class ForbiddenSet {
 };
 
 /// The positions (rad) in `window` of one arm at which what moves with it comes closer than `clearance` (m) to a body
-/// that stands still. Theory, section 2.
-IntervalSet blocked_positions(const Base& base, const Capsule& moving, const Capsule& fixed, double clearance,
+/// that stands still, of capsules. Theory, section 2.
+IntervalSet blocked_positions(const Base& base, const Shape& moving, const Shape& fixed, double clearance,
                               Interval window);
 
 }  // namespace dualarm

@@ -18,7 +18,7 @@ constexpr double kTableError = 1e-6;
 /// 20 m/s takes some 300.
 constexpr int kQueryLimit = 1500;
 
-double distance_bound(const Capsule& first, const Capsule& second) {
+double distance_bound(const Shape& first, const Shape& second) {
   return clearance(first, second).distance - clearance_error(first, second);
 }
 
@@ -51,23 +51,23 @@ ClearanceProof::ClearanceProof(const Problem& problem, double clearance)
     bases_[arm] = problem.arms[arm].base;
     moving_[arm] = moving_bodies(problem, arm);
     reach_[arm] = 0.0;
-    for (const Body& body : moving_[arm]) reach_[arm] = std::max(reach_[arm], reach(body.capsule));
+    for (const Body& body : moving_[arm]) reach_[arm] = std::max(reach_[arm], reach(body.shape));
   }
 }
 
 double ClearanceProof::slack(const JointPair& positions) const {
-  std::array<std::vector<Capsule>, kArmCount> placed_bodies;
+  std::array<std::vector<Shape>, kArmCount> placed_bodies;
   for (int arm = 0; arm < kArmCount; ++arm) {
     const Eigen::Isometry3d pose = link_pose(bases_[arm], positions[arm]);
-    for (const Body& body : moving_[arm]) placed_bodies[arm].push_back(placed(body.capsule, pose));
+    for (const Body& body : moving_[arm]) placed_bodies[arm].push_back(placed(body.shape, pose));
   }
   double closest = std::numeric_limits<double>::infinity();
-  for (const Capsule& first : placed_bodies[0]) {
-    for (const Capsule& second : placed_bodies[1]) closest = std::min(closest, distance_bound(first, second));
+  for (const Shape& first : placed_bodies[0]) {
+    for (const Shape& second : placed_bodies[1]) closest = std::min(closest, distance_bound(first, second));
   }
   for (const Body& obstacle : fixed_) {
     for (const auto& bodies : placed_bodies) {
-      for (const Capsule& body : bodies) closest = std::min(closest, distance_bound(body, obstacle.capsule));
+      for (const Shape& body : bodies) closest = std::min(closest, distance_bound(body, obstacle.shape));
     }
   }
   return closest - clearance_ - kTableError * (reach_[0] + reach_[1]);

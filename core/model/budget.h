@@ -22,6 +22,13 @@ class Budget {
   bool cancelled() const { return cancelled_ && cancelled_(); }
   bool exhausted() const { return cancelled() || (deadline_ != Clock::time_point::max() && Clock::now() >= deadline_); }
 
+  /// For a step that others follow: until a share (0 to 1) of the time that is left from now on is over.
+  Budget part(double share) const {
+    if (deadline_ == Clock::time_point::max()) return *this;
+    const auto now = Clock::now();
+    return Budget(now + std::chrono::duration_cast<Clock::duration>(share * (deadline_ - now)), cancelled_);
+  }
+
   /// For a short last step that is worth doing, as long as the caller still wants the answer: at least until `grace`
   /// from now.
   Budget with_grace(Clock::duration grace) const {

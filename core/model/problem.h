@@ -60,6 +60,15 @@ std::vector<Body> moving_bodies(const Problem& problem, int arm);
 /// The bodies that stand still, in the world.
 std::vector<Body> fixed_bodies(const Problem& problem);
 
+/// A body that moves by itself.
+struct TrackedBody {
+  Body body;                         ///< in its own frame
+  const PoseTrack* track = nullptr;  ///< of its frame in the world; belongs to the problem, which outlives this
+};
+
+/// The bodies that move by themselves, in the order of the scene. They point into the problem.
+std::vector<TrackedBody> tracked_bodies(const Problem& problem);
+
 /// The arm with the inertia and gravity of what it carries added. Theory, section 1.
 Arm loaded_arm(const Problem& problem, int arm);
 

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/model/pose_track.h"
 #include "geometry/body.h"
 
 namespace dualarm {
@@ -21,11 +22,16 @@ struct AttachedPlacement {
   double mass = 0.0;  ///< kg, >= 0, spread evenly over the shape
 };
 
-/// Anything besides the two links: a workpiece, a wall, a load. Spheres are capsules of length zero.
+/// Moves by itself: the poses of the object's frame in the world over the time of the plan.
+struct MovingPlacement {
+  PoseTrack track;
+};
+
+/// Anything besides the two links: a workpiece, a wall, a load, a door. Spheres are capsules of length zero.
 struct Object {
   std::string name;
-  Capsule shape;  ///< in the object's own frame
-  std::variant<FixedPlacement, AttachedPlacement> placement;
+  Shape shape;  ///< in the object's own frame
+  std::variant<FixedPlacement, AttachedPlacement, MovingPlacement> placement;
 };
 
 }  // namespace dualarm

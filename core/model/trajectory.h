@@ -20,6 +20,12 @@ struct Arc {
   JointState end;
 };
 
+/// The sense in which an arc moves, 1 or -1: its velocities tell it, also where positions are too coarse.
+inline double direction_of(const Arc& arc) {
+  const double velocities = arc.start.velocity + arc.end.velocity;
+  return (velocities != 0.0 ? velocities : arc.end.position - arc.start.position) < 0.0 ? -1.0 : 1.0;
+}
+
 /// One instant of what a controller plays. Between consecutive knots the motion is the quintic with the position,
 /// velocity and acceleration of both. Two knots may share a time: there the torque switches, so that acceleration and
 /// torque jump while position and velocity agree.

@@ -19,28 +19,63 @@ constexpr unsigned kQuadratureDepth = 15;
 /// many: motions that nearly stall magnify rounding, and no step is short enough for them.
 constexpr double kEndTolerance = 1e-11;
 constexpr int kMostParts = 4;
+/// How far from its end an arc's last state may be left (rad at 1 rad, and rad/s, which is that over a slow arc's speed
+/// times its acceleration), and the part of the span of accelerations as which the miss would have to show.
+constexpr double kMostLeft = 1e-13;
+constexpr double kMostVelocityLeft = 1e-10;
+constexpr double kShownMiss = 5e-10;
+/// By how much, relative to the arc, integrations from both of its ends may differ where they agree best. Where they
+/// differ more, steps are so long that each is on a motion of its own.
+constexpr double kMeetingTolerance = 1e-8;
 /// Ratio of an integrated arc's end speeds below which it is followed from the slower end: times near rest are unsure.
 /// Otherwise from the end whose errors fade: forwards under friction.
 constexpr double kSlowEnd = 1e-4;
+/// s: what the rounding of a position may cost a time taken at a fast end. Rounding, rad at 1 rad.
+constexpr double kUnsureTime = 1e-12;
+constexpr double kPositionRounding = 2e-16;
 /// Part of the speed over which the slope of an acceleration over the velocity is taken.
 constexpr double kSlopeStep = 1e-6;
 /// Part of a position below which an arc counts as this long: there the end tolerance is a few roundings of the
 /// position.
 constexpr double kShortestTravel = 1e-4;
+/// Part of a position below which an arc may be so short that its velocities tell its time better than its positions.
+constexpr double kShort = 1e-6;
+/// Relative miss of a trace's end beyond which it is lost.
+constexpr double kLostTrace = 1e-8;
+/// Rounding of a velocity, relative.
+constexpr double kVelocityRounding = 2e-16;
 
 }  // namespace
 
 ArcMotion::ArcMotion(const System& system, const Arc& arc)
     : system_(&system), kind_(arc.kind), start_(arc.start), end_(arc.end) {
-  const double direction = end_.position > start_.position ? 1.0 : -1.0;
+  const double direction = direction_of(arc);
   extreme_ = (kind_ == ArcKind::kAccelerate) == (direction > 0.0) ? Extreme::kHighest : Extreme::kLowest;
   const bool is_traced = kind_ != ArcKind::kCruise && system.velocity_matters(extreme_, direction);
+  if (is_uniform()) {
+    mean_acceleration_ = mean_over_time();
+    duration_ = (end_.velocity - start_.velocity) / *mean_acceleration_;
+    return;
+  }
   from_start_ = std::abs(start_.velocity) <= std::abs(end_.velocity);
-  const auto [slow, fast] = std::minmax({std::abs(start_.velocity), std::abs(end_.velocity)});
-  if (is_traced && slow > kSlowEnd * fast) from_start_ = errors_fade_forward();
+  const bool is_unsure = slow_end_is_unsure(direction);
+  if (is_traced && !is_unsure) from_start_ = errors_fade_forward();
+  take_anchor(direction, is_traced);
+  // Creeping towards a slow end takes so long that nothing can be told backwards from there.
+  if (is_traced && is_unsure && is_lost() && errors_fade_forward() != from_start_) {
+    from_start_ = !from_start_;
+    take_anchor(direction, is_traced);
+  }
+  const double other_end = from_start_ ? end_.position : start_.position;
+  duration_ =
+      kind_ == ArcKind::kCruise ? (end_.position - start_.position) / start_.velocity : time_from_anchor(other_end);
+}
+
+/// Measures times from the end that from_start_ says.
+void ArcMotion::take_anchor(double direction, bool is_traced) {
   anchor_ = from_start_ ? start_ : end_;
   away_ = from_start_ ? direction : -direction;
-  const double other_end = from_start_ ? end_.position : start_.position;
+  backlash_ = 0.0;
   if (anchor_.velocity * direction < 0.0) {
     backlash_ = std::abs(anchor_.velocity / acceleration(anchor_));
     anchor_.velocity = 0.0;
@@ -48,13 +83,52 @@ ArcMotion::ArcMotion(const System& system, const Arc& arc)
   const double gain = away_ * acceleration(anchor_);
   const double travel = std::abs(end_.position - start_.position);
   const double behind = gain > 0.0 ? 0.5 * anchor_.velocity * anchor_.velocity / gain : 0.0;
-  if (behind < travel) virtual_rest_ = behind;
+  virtual_rest_ = behind < travel ? behind : 0.0;
   if (is_traced) {
-    trace_.emplace(system, extreme_, anchor_, from_start_ ? 1.0 : -1.0, other_end,
+    trace_.emplace(*system_, extreme_, anchor_, from_start_ ? 1.0 : -1.0, from_start_ ? end_.position : start_.position,
                    std::numeric_limits<double>::infinity());
   }
-  duration_ =
-      kind_ == ArcKind::kCruise ? (end_.position - start_.position) / start_.velocity : time_from_anchor(other_end);
+}
+
+/// Whether the trace misses the velocity of the end that it leads to by more than the rounding of positions explains.
+bool ArcMotion::is_lost() const {
+  const double velocity = from_start_ ? end_.velocity : start_.velocity;
+  const double rounding =
+      kPositionRounding * (1.0 + std::abs(end_.position)) / std::abs(end_.position - start_.position);
+  return std::abs(trace_->end().state.velocity - velocity) > (kLostTrace + 4.0 * rounding) * std::abs(velocity);
+}
+
+/// Whether positions round more off the arc than its acceleration changes: then its velocities tell its time.
+bool ArcMotion::is_uniform() const {
+  const double travel = std::abs(end_.position - start_.position);
+  const double size = 1.0 + std::abs(end_.position);
+  if (kind_ == ArcKind::kCruise || travel > kShort * size) return false;
+  const double gain = end_.velocity - start_.velocity;
+  const double first = acceleration(start_);
+  const double last = acceleration(end_);
+  if (!(first * gain > 0.0 && last * gain > 0.0)) return false;
+  const double change = (last - first) / (last + first);
+  const double speed = std::max(std::abs(start_.velocity), std::abs(end_.velocity));
+  return change * change + kVelocityRounding * speed / std::abs(gain) < kPositionRounding * size / travel;
+}
+
+/// The acceleration's mean over the time of an arc on which it changes little: with the velocity evenly, with the
+/// position more while the arc is slow.
+double ArcMotion::mean_over_time() const {
+  const double first = acceleration(start_);
+  const double there = acceleration({end_.position, start_.velocity});
+  const double last = acceleration(end_);
+  const double sum = start_.velocity + end_.velocity;
+  const double share = sum != 0.0 ? (2.0 * start_.velocity + end_.velocity) / (3.0 * sum) : 0.5;
+  return first + share * (there - first) + 0.5 * (last - there);
+}
+
+/// Whether the time at which the arc passes its slower end could not be told from the other end.
+bool ArcMotion::slow_end_is_unsure(double direction) const {
+  const JointState& slower = from_start_ ? start_ : end_;
+  const double slow = direction * slower.velocity;
+  const double fast = direction * (from_start_ ? end_ : start_).velocity;
+  return slow <= kSlowEnd * fast || kPositionRounding * (1.0 + std::abs(slower.position)) > kUnsureTime * slow;
 }
 
 /// Whether the acceleration half way falls with the velocity, so that a motion that is too fast is slowed down.
@@ -101,12 +175,21 @@ double ArcMotion::time_from_anchor(double position) const {
 
 double ArcMotion::time_at(double position) const {
   if (kind_ == ArcKind::kCruise) return (position - start_.position) / start_.velocity;
+  if (mean_acceleration_) {
+    const double square = start_.velocity * start_.velocity + 2.0 * *mean_acceleration_ * (position - start_.position);
+    const double velocity = std::copysign(std::sqrt(std::max(0.0, square)), start_.velocity + end_.velocity);
+    return std::clamp((velocity - start_.velocity) / *mean_acceleration_, 0.0, duration_);
+  }
   const double time = time_from_anchor(position);
   return from_start_ ? time : duration_ - time;
 }
 
 JointState ArcMotion::at(double time) const {
   if (kind_ == ArcKind::kCruise) return {start_.position + start_.velocity * time, start_.velocity};
+  if (mean_acceleration_) {
+    const double velocity = start_.velocity + *mean_acceleration_ * time;
+    return {start_.position + 0.5 * (start_.velocity + velocity) * time, velocity};
+  }
   return from_anchor(from_start_ ? time : duration_ - time);
 }
 
@@ -126,7 +209,7 @@ JointState ArcMotion::from_anchor(double time) const {
     root = low < next && next < high ? next : 0.5 * (low + high);
   }
   const double change = change_at(root);
-  const double sign = end_.position > start_.position ? 1.0 : -1.0;
+  const double sign = from_start_ ? away_ : -away_;
   return {anchor_.position + change, sign * std::sqrt(std::max(0.0, speed_squared(change)))};
 }
 
@@ -144,25 +227,33 @@ std::vector<JointState> ArcMotion::states(int count) const {
   const JointState& other_end = backward ? start_ : end_;
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
     states = integrated(backward ? end_ : start_, backward ? -step : step, count, parts);
-    if (miss(states.back(), other_end) > kEndTolerance) continue;
-    spread_miss(states, other_end, backward ? -duration_ : duration_);
+    const bool is_left = may_leave_miss(states.back(), other_end);
+    if (!is_left && !(miss(states.back(), other_end) <= kEndTolerance)) continue;
+    if (!is_left) spread_miss(states, other_end, backward ? -duration_ : duration_);
     if (backward) std::reverse(states.begin(), states.end());
     return states;
   }
   if (backward) states = integrated(start_, step, count, kMostParts);
-  return met_halfway(std::move(states), integrated(end_, -step, count, kMostParts));
+  if (auto met = met_halfway(std::move(states), integrated(end_, -step, count, kMostParts))) return std::move(*met);
+  states = {start_};
+  for (int i = 1; i < count; ++i) states.push_back(at(step * i));
+  states.push_back(end_);
+  return states;
 }
 
 /// States from one on, `count` steps of `step` s, each in `parts` steps of the integration.
 std::vector<JointState> ArcMotion::integrated(const JointState& from, double step, int count, int parts) const {
   boost::numeric::odeint::runge_kutta_fehlberg78<PlaneState> stepper;
-  const auto rate_of = extremal_rate(*system_, extreme_);
+  // The way from the first state, not the position: short arcs would show the rounding of each step.
+  const auto rate_of = [&](const PlaneState& state, PlaneState& rate, double /*time*/) {
+    rate = {state[1], system_->extreme_acceleration(extreme_, from.position + state[0], state[1])};
+  };
   std::vector<JointState> states = {from};
   states.reserve(count + 1);
-  PlaneState state = {from.position, from.velocity};
+  PlaneState state = {0.0, from.velocity};
   for (int i = 0; i < count; ++i) {
     for (int part = 0; part < parts; ++part) stepper.do_step(rate_of, state, 0.0, step / parts);
-    states.push_back({state[0], state[1]});
+    states.push_back({from.position + state[0], state[1]});
   }
   return states;
 }
@@ -171,7 +262,18 @@ std::vector<JointState> ArcMotion::integrated(const JointState& from, double ste
 double ArcMotion::miss(const JointState& state, const JointState& end) const {
   const double travel = std::abs(end_.position - start_.position) + kShortestTravel * std::abs(state.position);
   const double speed = std::max(std::abs(start_.velocity), std::abs(end_.velocity));
-  return std::max(std::abs(state.position - end.position) / travel, std::abs(state.velocity - end.velocity) / speed);
+  // Not std::max, which overlooks what is no number.
+  return std::hypot((state.position - end.position) / travel, (state.velocity - end.velocity) / speed);
+}
+
+/// Whether what an integration misses the end by is a few roundings that would show as acceleration however they are
+/// spread along the arc: the end then is a last digit off.
+bool ArcMotion::may_leave_miss(const JointState& state, const JointState& end) const {
+  const double position_miss = std::abs(end.position - state.position);
+  const double velocity_miss = std::abs(end.velocity - state.velocity);
+  if (position_miss > kMostLeft * (1.0 + std::abs(end.position)) || velocity_miss > kMostVelocityLeft) return false;
+  const double shown = (6.0 * position_miss / duration_ + 4.0 * velocity_miss) / duration_;
+  return shown > kShownMiss * system_->acceleration(state.position, state.velocity).length();
 }
 
 /// What the integration misses the end by, taken from all states along the cubic that begins with none of it: its
@@ -189,16 +291,20 @@ void ArcMotion::spread_miss(std::vector<JointState>& states, const JointState& e
 }
 
 /// A motion that nearly stalls magnifies every rounding on its way past the slow point, in either direction of time: so
-/// each half is taken from its own end, up to where the two agree best.
-std::vector<JointState> ArcMotion::met_halfway(std::vector<JointState> forward, std::vector<JointState> backward) {
+/// each half is taken from its own end, up to where the two agree best. Nothing if they agree nowhere: the steps are
+/// too long for either.
+std::optional<std::vector<JointState>> ArcMotion::met_halfway(std::vector<JointState> forward,
+                                                              std::vector<JointState> backward) const {
   std::reverse(backward.begin(), backward.end());
-  const auto apart = [&](std::size_t i) {
-    return std::abs(forward[i].position - backward[i].position) + std::abs(forward[i].velocity - backward[i].velocity);
-  };
   std::size_t meeting = 0;
-  for (std::size_t i = 0; i < forward.size(); ++i) {
-    if (apart(i) < apart(meeting)) meeting = i;
+  double least = kMeetingTolerance;
+  for (std::size_t i = 1; i < forward.size(); ++i) {
+    const double apart = miss(forward[i], backward[i]);
+    if (!(apart <= least)) continue;
+    meeting = i;
+    least = apart;
   }
+  if (meeting == 0) return std::nullopt;
   std::copy(backward.begin() + static_cast<std::ptrdiff_t>(meeting), backward.end(),
             forward.begin() + static_cast<std::ptrdiff_t>(meeting));
   return forward;

@@ -13,8 +13,9 @@ namespace dualarm {
 /// give the speed, else along an integrated trace. Refers to the system, which has to outlive it.
 class ArcMotion {
  public:
-  /// The kind and the end states of `arc` count, its times do not. Precondition: it has some length and does not turn
-  /// back; but an end velocity whose stopping distance positions cannot tell may point against it.
+  /// The kind and the end states of `arc` count, its times do not. Precondition: it has some length, or changes its
+  /// velocity, and does not turn back; but an end velocity whose stopping distance positions cannot tell may point
+  /// against it.
   ArcMotion(const System& system, const Arc& arc);
 
   double duration() const { return duration_; }  ///< s
@@ -28,10 +29,16 @@ class ArcMotion {
   /// State at a time.
   JointState at(double time) const;
 
-  /// States at `count` + 1 evenly spaced times from start to end.
+  /// States at `count` + 1 evenly spaced times from start to end. Of arcs so short that the rounding of their ends
+  /// would show as acceleration, the last or the first one is some last digits off the end.
   std::vector<JointState> states(int count) const;
 
  private:
+  bool is_uniform() const;
+  double mean_over_time() const;
+  void take_anchor(double direction, bool is_traced);
+  bool is_lost() const;
+  bool slow_end_is_unsure(double direction) const;
   bool errors_fade_forward() const;
   double time_from_anchor(double position) const;
   double quadrature(double root) const;
@@ -41,17 +48,20 @@ class ArcMotion {
   JointState from_anchor(double time) const;
   std::vector<JointState> integrated(const JointState& from, double step, int count, int parts) const;
   double miss(const JointState& state, const JointState& end) const;
+  bool may_leave_miss(const JointState& state, const JointState& end) const;
   static void spread_miss(std::vector<JointState>& states, const JointState& end, double span);
-  static std::vector<JointState> met_halfway(std::vector<JointState> forward, std::vector<JointState> backward);
+  std::optional<std::vector<JointState>> met_halfway(std::vector<JointState> forward,
+                                                     std::vector<JointState> backward) const;
 
   const System* system_;
   ArcKind kind_;
   JointState start_;
   JointState end_;
   Extreme extreme_;
+  std::optional<double> mean_acceleration_;  ///< rad/s2, of an arc so short that it does not change
   JointState anchor_;           ///< the end of the arc from which times are taken, as a rule the slower one
   double away_;                 ///< sign of position - anchor along the arc
-  bool from_start_;             ///< the anchor is the arc's start
+  bool from_start_ = true;      ///< the anchor is the arc's start
   std::optional<Trace> trace_;  ///< from the anchor, where velocity enters
   double virtual_rest_ = 0.0;   ///< rad, how far behind the anchor its speed would have been gained from rest
   double backlash_ = 0.0;       ///< s, to stop at the anchor where its tiny velocity points against the arc

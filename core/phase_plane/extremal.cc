@@ -65,6 +65,14 @@ double Extremal::energy_at(double x) const {
   return std::min(0.5 * velocity * velocity, path_->energy_limit());
 }
 
+double Extremal::fastest_between(double from, double to) const {
+  double fastest = from;
+  for (const double x : path_->pieces(kind_, 0.0, from, to)) {
+    if (energy_at(x) > energy_at(fastest)) fastest = x;
+  }
+  return fastest;
+}
+
 std::vector<double> Extremal::bends(double from, double to) const {
   return trace_ ? traced(from, to, true) : path_->bends(from, to);
 }

@@ -33,6 +33,9 @@ class Extremal {
   /// Points between `from` and `to` (ascending, on the curve), ascending, at which the energy is known without work.
   std::vector<double> nodes(double from, double to) const;
 
+  /// Where between `from` and `to` (ascending, on the curve) the energy is largest, of an arc of work and energy.
+  double fastest_between(double from, double to) const;
+
   /// Where between `from` and `to` (ascending, on the curve) the accelerations along it have a bend, ends excluded.
   std::vector<double> bends(double from, double to) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/phase_plane/limited_energy.h"
 #include "core/phase_plane/path.h"
 #include "core/phase_plane/turns.h"
 
@@ -63,14 +64,21 @@ int weight(const System& system, const Blocked& blocked) {
 
 }  // namespace
 
-bool is_impasse(const System& system, JointState start, JointState goal) {
-  if (start.velocity != 0.0 && std::holds_alternative<Blocked>(stop_from(system, start))) return true;
+std::optional<Blocked> impasse(const System& system, JointState start, JointState goal, const Blocked& obstacle) {
+  Blocked proven = obstacle;
+  proven.is_proven = true;
+  if (start.velocity != 0.0 && std::holds_alternative<Blocked>(stop_from(system, start))) return proven;
   if (goal.velocity != 0.0) {
     const auto run_up = run_up_to(system, goal);
     const auto* blocked = std::get_if<Blocked>(&run_up);
-    if (blocked != nullptr && at_range_end(system, *blocked)) return true;
+    if (blocked != nullptr && at_range_end(system, *blocked)) return proven;
   }
-  return lacks_energy(system, start, goal);
+  if (lacks_energy(system, start, goal)) return proven;
+  const auto broken = limit_break(system, start, goal);
+  if (!broken) return std::nullopt;
+  const bool highest = (broken->kind == ArcKind::kAccelerate) == (broken->velocity > 0.0);
+  return Blocked{BlockReason::kVelocityLimit, broken->position, broken->velocity,
+                 highest ? Extreme::kHighest : Extreme::kLowest};
 }
 
 bool tells_more(const System& system, const Blocked& obstacle, const Blocked& other) {

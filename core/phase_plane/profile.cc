@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool rises(const Arc& arc) { return arc.end.position > arc.start.position; }
-
 }  // namespace
 
 Profile::Profile(const System& system, JointState state) : system_(&system), start_(state), goal_(state) {}
@@ -27,7 +25,7 @@ Profile::Profile(const System& system, std::vector<Arc> arcs) : system_(&system)
     motions_.emplace_back(*system_, arc);
     duration_ += motions_.back().duration();
     arc.end_time = duration_;
-    if (i == 0 || rises(arc) != rises(arcs_[i - 1]))
+    if (i == 0 || direction_of(arc) != direction_of(arcs_[i - 1]))
       legs_.push_back({i, i, arc.start_time, 0.0, arc.start.position, 0.0});
     Leg& leg = legs_.back();
     leg.last_arc = i;

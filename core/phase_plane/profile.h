@@ -32,7 +32,8 @@ class Profile {
   Profile(const System& system, JointState state);
 
   /// Arcs in order of time, each beginning in the state in which the one before ends; their times are filled in here.
-  /// Precondition: at least one arc, none of zero length, none that turns back on the way, no kHold.
+  /// Precondition: at least one arc, none without length or change of velocity, none that turns back on the way, no
+  /// kHold.
   Profile(const System& system, std::vector<Arc> arcs);
 
   double duration() const { return duration_; }        ///< s

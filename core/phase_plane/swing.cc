@@ -22,6 +22,8 @@ constexpr std::size_t kMostTurns = 16;
 /// 20,000 legs by quadrature for the layers, a tenth of that by integration; a few tenths of a second in all.
 constexpr long kMostWork = 3'000'000;
 constexpr long kMostMoves = 10'000'000;
+/// The same for a search that ends with the first motion.
+constexpr long kMostTrials = kMostWork / 10;
 /// Turning points of a layer, at most and at least: so many that the work is enough for some layers.
 constexpr int kMostPoints = 24;
 constexpr int kFewestPoints = 8;
@@ -41,6 +43,9 @@ constexpr double kLeastGain = 1e-12;
 constexpr int kMostRounds = 40;
 /// Bits to which a turning point is found: less than half of the digits, as the time is flat there.
 constexpr int kTurnBits = 26;
+/// Part of the way to a corner within which a turning point is the corner: legs forgive rounding, and a search for the
+/// least time finds what is forgiven and takes it.
+constexpr double kCornerShare = 1e-8;
 /// Stands for no motion in a minimisation, s.
 constexpr double kNoMotion = 1e12;
 
@@ -53,8 +58,9 @@ struct Chain {
 
 class Search {
  public:
-  Search(const System& system, JointState start, JointState goal, double known)
-      : system_of_answer_(system),
+  Search(const System& system, JointState start, JointState goal, double known, const Budget& budget)
+      : budget_(budget),
+        system_of_answer_(system),
         system_(system),
         relaxation_(system, start, goal),
         start_(start),
@@ -76,6 +82,7 @@ class Search {
     for (Chain& chain : chains_) {
       if (chain.time >= kGridError * std::min(known_, on_grid_)) continue;
       polish(chain);
+      meet_corners(chain.turns);
       auto arcs = motion_through(system_, start_, chain.turns, goal_);
       auto* found = std::get_if<std::vector<Arc>>(&arcs);
       if (found == nullptr || found->empty()) continue;
@@ -87,8 +94,19 @@ class Search {
     return fastest;
   }
 
+  bool finds_any() {
+    wants_any_ = true;
+    for (const double direction : {-1.0, 1.0}) {
+      work_ends_ = system_.count() + kMostTrials;
+      if (direction * start_.velocity >= 0.0) search(direction);
+    }
+    return on_grid_ < kInfinity;
+  }
+
  private:
-  bool may_go_on() const { return system_.count() < work_ends_; }
+  bool may_go_on() const {
+    return system_.count() < work_ends_ && !(wants_any_ && on_grid_ < kInfinity) && !budget_.exhausted();
+  }
 
   /// All chains of turns whose first leg goes in a direction, until two further legs reach nothing new.
   void search(double direction) {
@@ -187,17 +205,27 @@ class Search {
   /// Where full braking brings the start to rest, and where the run-up to the goal begins.
   std::vector<double> corners(bool is_first) const {
     std::vector<double> found;
-    if (is_first && start_.velocity != 0.0) {
-      const auto stop = stop_from(system_, start_);
-      const auto* arcs = std::get_if<std::vector<Arc>>(&stop);
-      if (arcs != nullptr && !arcs->empty()) found.push_back(arcs->back().end.position);
+    if (is_first) {
+      if (const auto corner = stop_corner()) found.push_back(*corner);
     }
-    if (goal_.velocity != 0.0) {
-      const auto run_up = run_up_to(system_, goal_);
-      const auto* arcs = std::get_if<std::vector<Arc>>(&run_up);
-      if (arcs != nullptr && !arcs->empty()) found.push_back(arcs->front().start.position);
-    }
+    if (const auto corner = run_up_corner()) found.push_back(*corner);
     return found;
+  }
+
+  std::optional<double> stop_corner() const {
+    if (start_.velocity == 0.0) return std::nullopt;
+    const auto stop = stop_from(system_, start_);
+    const auto* arcs = std::get_if<std::vector<Arc>>(&stop);
+    if (arcs == nullptr || arcs->empty()) return std::nullopt;
+    return arcs->back().end.position;
+  }
+
+  std::optional<double> run_up_corner() const {
+    if (goal_.velocity == 0.0) return std::nullopt;
+    const auto run_up = run_up_to(system_, goal_);
+    const auto* arcs = std::get_if<std::vector<Arc>>(&run_up);
+    if (arcs == nullptr || arcs->empty()) return std::nullopt;
+    return arcs->front().start.position;
   }
 
   void finish(const Chain& chain) {
@@ -259,6 +287,16 @@ class Search {
     for (const double position : candidates) try_at(position, time_with(position));
   }
 
+  /// Puts turning points that are next to where full braking ends, or the run-up begins, exactly there.
+  void meet_corners(std::vector<double>& turns) const {
+    const auto meet = [](double& turn, const std::optional<double>& corner, double end) {
+      if (corner && std::abs(turn - *corner) <= kCornerShare * std::abs(*corner - end)) turn = *corner;
+    };
+    if (turns.empty()) return;
+    meet(turns.front(), stop_corner(), start_.position);
+    meet(turns.back(), run_up_corner(), goal_.position);
+  }
+
   double duration_of(const std::vector<double>& turns) const {
     double time = 0.0;
     JointState from = start_;
@@ -269,6 +307,7 @@ class Search {
     return time + leg_time(from, goal_);
   }
 
+  const Budget& budget_;
   const System& system_of_answer_;
   MeteredSystem system_;
   Relaxation relaxation_;
@@ -276,6 +315,7 @@ class Search {
   JointState goal_;
   double known_;
   Interval window_;
+  bool wants_any_ = false;  ///< the first motion found is enough
   int points_ = kMostPoints;
   long work_ends_ = 0;
   double on_grid_ = kInfinity;  ///< s, of the best chain before turning points are moved
@@ -284,8 +324,13 @@ class Search {
 
 }  // namespace
 
-std::optional<Profile> fastest_swing(const System& system, JointState start, JointState goal, double known) {
-  return Search(system, start, goal, known).run();
+std::optional<Profile> fastest_swing(const System& system, JointState start, JointState goal, double known,
+                                     const Budget& budget) {
+  return Search(system, start, goal, known, budget).run();
+}
+
+bool finds_swing(const System& system, JointState start, JointState goal, const Budget& budget) {
+  return Search(system, start, goal, kInfinity, budget).finds_any();
 }
 
 }  // namespace dualarm

@@ -6,6 +6,7 @@
 
 #include "core/phase_plane/impasse.h"
 #include "core/phase_plane/minimum.h"
+#include "core/phase_plane/spot_motion.h"
 #include "core/phase_plane/swing.h"
 #include "core/phase_plane/turns.h"
 
@@ -39,6 +40,10 @@ std::optional<Blocked> check_goal(const System& system, JointState state) {
 
 /// The faster of the two ways, or what is in the way of the one that comes further.
 std::variant<Profile, Blocked> faster_way(const System& system, JointState start, JointState goal) {
+  if (is_one_state(system, start, goal)) return Profile(system, start);
+  if (auto arcs = motion_on_the_spot(system, start, goal); arcs && !arcs->empty()) {
+    return Profile(system, std::move(*arcs));
+  }
   std::optional<Profile> fastest;
   std::optional<Blocked> obstacle;
   const double natural = goal.position >= start.position ? 1.0 : -1.0;
@@ -67,7 +72,7 @@ MinimumOver claim_of(const System& system, const Profile& profile, double bound,
 }  // namespace
 
 std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointState start, JointState goal,
-                                                    Swings swings) {
+                                                    Swings swings, const Budget& budget) {
   if (const auto blocked = check_start(system, start)) return *blocked;
   if (const auto blocked = check_goal(system, goal)) return *blocked;
   auto way = faster_way(system, start, goal);
@@ -76,7 +81,7 @@ std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointS
     const MinimumOver claim = claim_of(system, *profile, bound, swings);
     const bool is_proven = claim == MinimumOver::kAllMotions;
     if (!is_proven && swings == Swings::kSearch) {
-      if (auto swing = fastest_swing(system, start, goal, profile->duration())) {
+      if (auto swing = fastest_swing(system, start, goal, profile->duration(), budget)) {
         return FastestMotion{std::move(*swing), MinimumOver::kSearchedMotions, bound};
       }
     }
@@ -84,12 +89,17 @@ std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointS
     return FastestMotion{std::move(*profile), claim, is_proven ? duration : bound};
   }
   Blocked blocked = std::get<Blocked>(way);
-  blocked.is_proven = is_impasse(system, start, goal);
+  if (const auto proven = impasse(system, start, goal, blocked)) {
+    blocked = *proven;
+  } else {
+    blocked.is_proven = false;
+  }
   blocked.lower_bound = bound;
   if (!blocked.is_proven && swings == Swings::kSearch) {
-    if (auto swing = fastest_swing(system, start, goal, kInfinity)) {
+    if (auto swing = fastest_swing(system, start, goal, kInfinity, budget)) {
       return FastestMotion{std::move(*swing), MinimumOver::kSearchedMotions, bound};
     }
+    blocked.is_searched_out = !budget.exhausted();
   }
   return blocked;
 }

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "core/model/budget.h"
 #include "core/model/problem.h"
 #include "core/phase_plane/profile.h"
 #include "core/phase_plane/system.h"
@@ -42,6 +43,7 @@ struct Blocked {
   Extreme extreme = Extreme::kHighest;  ///< the end of the admissible accelerations that falls short there
   bool is_proven = true;                ///< no motion of any kind exists; false if one that turns back might
   double lower_bound = 0.0;             ///< s, below which no motion of any kind gets there, if one exists
+  bool is_searched_out = true;          ///< false if the budget ended the search for motions that turn back
 };
 
 /// Whether motions that swing to and fro are searched where they might be faster, or the only ones. It costs
@@ -51,14 +53,16 @@ enum class Swings { kSearch, kSkip };
 /// The fastest motion from `start` to `goal`, with any velocities, under the system's limits: full acceleration, cruise
 /// on the velocity limit where the acceleration needed is admissible, full braking, with turning points where the
 /// boundary velocities ask for them or where swinging pays. It stands still before a start at rest and after a goal at
-/// rest, so it has to be holdable there. Theory, sections 1.1 to 1.3 [paper, section 3].
+/// rest, so it has to be holdable there. When the budget runs out, the search for swings ends with the fastest motion
+/// found by then; no other answer changes. Theory, sections 1.1 to 1.3 [paper, section 3].
 std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointState start, JointState goal,
-                                                    Swings swings = Swings::kSearch);
+                                                    Swings swings = Swings::kSearch, const Budget& budget = Budget());
 
 /// The fastest motion from rest to rest.
 inline std::variant<FastestMotion, Blocked> fastest_motion(const System& system, double start, double goal,
-                                                           Swings swings = Swings::kSearch) {
-  return fastest_motion(system, JointState{start, 0.0}, JointState{goal, 0.0}, swings);
+                                                           Swings swings = Swings::kSearch,
+                                                           const Budget& budget = Budget()) {
+  return fastest_motion(system, JointState{start, 0.0}, JointState{goal, 0.0}, swings, budget);
 }
 
 }  // namespace dualarm

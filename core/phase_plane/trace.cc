@@ -42,6 +42,10 @@ constexpr double kOwnStepTolerance = 1e-4;
 /// comes to rest in finite time passes such speeds within a step, and stands a rounding from its end.
 constexpr double kCreep = 1e-9;
 
+/// By how much, relative to the way and to the highest speed on it, a step and its two halves may differ: some
+/// roundings.
+constexpr double kHalvesTolerance = 2e-14;
+
 /// By what factor the error of a step is above what it may be.
 double miss_of(const PlaneState& before, const PlaneState& after, const PlaneState& error, double way, double allowed) {
   if (!std::isfinite(after[0]) || !std::isfinite(after[1])) return std::numeric_limits<double>::infinity();
@@ -69,7 +73,7 @@ Trace::Trace(const System& system, Extreme extreme, JointState from, double time
   double step = first;
   boost::numeric::odeint::runge_kutta_fehlberg78<PlaneState> stepper;
   while (nodes_.size() < kMostNodes) {
-    const Node& node = nodes_.back();
+    const Node node = nodes_.back();
     const PlaneState before = {node.state.position, node.state.velocity};
     PlaneState after = before;
     PlaneState error = {0.0, 0.0};
@@ -81,18 +85,41 @@ Trace::Trace(const System& system, Extreme extreme, JointState from, double time
       step = std::max(least, growth * step);
       continue;
     }
-    const Node next = up_to_turn_of_speed({node.time + time_sign * step, {after[0], after[1]}, false});
-    if (std::abs(node.state.velocity) >= speed_limit && is_over_limit(next) && step > kLeastDip * first) {
+    const Node whole = {node.time + time_sign * step, {after[0], after[1]}, false};
+    const Node next = up_to_turn_of_speed(whole);
+    // An arc on the limit may leave it upwards by less than shows, and come back; but not for ever.
+    const bool may_dip = nodes_.size() == 1 || time_sign * node.state.velocity * acceleration(node.state) <= 0.0;
+    if (may_dip && std::abs(node.state.velocity) >= speed_limit && is_over_limit(next) && step > kLeastDip * first) {
       step *= 0.2;
       continue;
     }
     const double slower = std::abs(next.state.velocity);
     const bool creeps = slower < kCreep * speed && slower < std::abs(node.state.velocity);
-    if (!accept(next)) return;
+    const bool goes_on = accept(next);
+    // Next to a bend, and where a step is long for the drive, its stages may agree with each other and not with the
+    // arc.
+    const bool is_doubtful = nodes_.size() == 2 || node.at_bend || looks_over_bend(node, whole);
+    if (is_doubtful && !halves_agree(way, speed) && step > least) {
+      step = std::max(least, 0.5 * std::abs(nodes_.back().time - node.time));
+      nodes_.pop_back();
+      stop_ = Stop::kArrived;
+      continue;
+    }
+    if (!goes_on) return;
     if (creeps) break;
     step = std::max(least, growth * step);
   }
   stop_ = Stop::kRest;
+  end_where_slowest();
+}
+
+/// An arc that creeps for ever ends where it is slowest, not where patience ended: most of its nodes are about there.
+void Trace::end_where_slowest() {
+  const auto half = nodes_.begin() + static_cast<std::ptrdiff_t>(nodes_.size() / 2);
+  const auto slowest = std::min_element(half, nodes_.end(), [](const Node& a, const Node& b) {
+    return std::abs(a.state.velocity) < std::abs(b.state.velocity);
+  });
+  nodes_.erase(slowest + 1, nodes_.end());
 }
 
 /// The same step, cut where the acceleration changes its sign: then the speed is monotone on it, and its ends tell
@@ -108,6 +135,25 @@ Trace::Node Trace::up_to_turn_of_speed(const Node& next) const {
     (before * acceleration(advanced(from.state, middle)) > 0.0 ? low : high) = middle;
   }
   return {from.time + high, advanced(from.state, high), false};
+}
+
+/// Whether two halves of the last step lead where the whole one led.
+bool Trace::halves_agree(double way, double speed) const {
+  const Node& from = nodes_[nodes_.size() - 2];
+  const Node& to = nodes_.back();
+  const double half = 0.5 * (to.time - from.time);
+  const JointState there = advanced(advanced(from.state, half), half);
+  const double size = std::max(way, kPositionRounding / kHalvesTolerance * (1.0 + std::abs(to.state.position)));
+  return std::abs(there.position - to.state.position) <= kHalvesTolerance * size &&
+         std::abs(there.velocity - to.state.velocity) <= kHalvesTolerance * std::max(speed, std::abs(there.velocity));
+}
+
+bool Trace::looks_over_bend(const Node& from, const Node& to) const {
+  const auto between = [](const std::vector<double>& bends, double one, double other) {
+    return std::any_of(bends.begin(), bends.end(), [&](double bend) { return (bend - one) * (bend - other) < 0.0; });
+  };
+  return between(position_bends_, from.state.position, to.state.position) ||
+         between(velocity_bends_, from.state.velocity, to.state.velocity);
 }
 
 /// Appends the node that a step leads to, or the first point of the step at which something happens. False at the end.

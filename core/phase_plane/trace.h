@@ -45,7 +45,10 @@ class Trace {
   Node located(const Node& node, double step, double target, double JointState::*what) const;
   Node up_to_turn_of_speed(const Node& next) const;
   bool is_over_limit(const Node& node) const;
+  bool halves_agree(double way, double speed) const;
+  bool looks_over_bend(const Node& from, const Node& to) const;
   bool accept(Node next);
+  void end_where_slowest();
 
   const System* system_;
   Extreme extreme_;

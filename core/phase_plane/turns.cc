@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/phase_plane/spot_motion.h"
 #include "core/phase_plane/stretches.h"
 
 namespace dualarm {
@@ -12,12 +13,11 @@ namespace {
 /// it has to be below, too.
 constexpr double kShortestArc = 1e-15;
 constexpr double kShortestShare = 1e-3;
-/// Distance (rad, at 1 rad) below which two positions are one: too few digits are left for a motion.
-constexpr double kOnePosition = 2e-14;
-
-bool is_same(double position, double other) {
-  return std::abs(position - other) <= kOnePosition * (1.0 + std::abs(position));
-}
+/// Part of its own speed below which what such an arc gains is rounding, too. A larger gain takes time.
+constexpr double kShortestGain = 1e-10;
+/// By what factor an arc is faster on its way than at both its ends where it is cut: seen from either end the other one
+/// would be a singularity of the time.
+constexpr double kSwell = 10.0;
 
 Blocked blocked_by(const Obstruction& obstruction, const Path& path, JointState to) {
   const double position = path.position(obstruction.x);
@@ -43,13 +43,15 @@ class ArcChain {
         shortest_(std::min(kShortestArc * (1.0 + std::abs(to.position)),
                            kShortestShare * std::abs(to.position - from.position))) {}
 
-  void add(const Stretch& stretch) {
+  /// `next` is the stretch that follows, if any.
+  void add(const Stretch& stretch, const Stretch* next = nullptr) {
+    const ArcKind kind = kind_of(stretch);
     if (stretch.arc) {
-      for (const double x : stretch.arc->bends(stretch.from, stretch.to)) {
-        append(stretch.kind(), {path_.position(x), path_.velocity(stretch.energy_at(path_, x))});
+      for (const double x : cuts_of(*stretch.arc, stretch.from, stretch.to)) {
+        append(kind, {path_.position(x), path_.velocity(stretch.energy_at(path_, x))});
       }
     }
-    append(stretch.kind(), {path_.position(stretch.to), path_.velocity(stretch.energy_at(path_, stretch.to))});
+    append(kind, {path_.position(stretch.to), path_.velocity(meeting_energy(stretch, next))});
   }
 
   /// The arcs, the last one brought to the very state where they have to end.
@@ -59,8 +61,44 @@ class ArcChain {
   }
 
  private:
+  /// Where an arc is cut: at its bends, and where it is fastest, if it swells from next to rest and ebbs back to it.
+  std::vector<double> cuts_of(const Extremal& arc, double from, double to) const {
+    std::vector<double> cuts = arc.bends(from, to);
+    if (path_.velocity_matters(arc.kind())) return cuts;
+    const double first = arc.energy_at(from);
+    const double last = arc.energy_at(to);
+    if (path_.acceleration(arc.kind(), from, first) <= 0.0 || path_.acceleration(arc.kind(), to, last) >= 0.0) {
+      return cuts;
+    }
+    const double fastest = arc.fastest_between(from, to);
+    if (arc.energy_at(fastest) <= kSwell * kSwell * std::max(first, last)) return cuts;
+    cuts.insert(std::lower_bound(cuts.begin(), cuts.end(), fastest), fastest);
+    return cuts;
+  }
+
+  /// A stretch on the limit so short that it does not show that the limit cannot be held there is none of a cruise: no
+  /// torque does that.
+  ArcKind kind_of(const Stretch& stretch) const {
+    if (stretch.arc) return stretch.arc->kind();
+    const double middle = 0.5 * (stretch.from + stretch.to);
+    if (path_.acceleration(ArcKind::kAccelerate, middle, path_.energy_limit()) < 0.0) return ArcKind::kAccelerate;
+    if (path_.acceleration(ArcKind::kBrake, middle, path_.energy_limit()) > 0.0) return ArcKind::kBrake;
+    return ArcKind::kCruise;
+  }
+
+  /// Energy where a stretch meets the next one. Both know it but for the rounding of the position times their
+  /// acceleration: the gentler one knows it better, and its time depends on it.
+  double meeting_energy(const Stretch& stretch, const Stretch* next) const {
+    const double energy = stretch.energy_at(path_, stretch.to);
+    if (next == nullptr || !stretch.arc || !next->arc) return energy;
+    const auto steepness = [&](const Stretch& s) { return std::abs(path_.acceleration(s.kind(), stretch.to, energy)); };
+    return steepness(*next) < steepness(stretch) ? next->energy_at(path_, stretch.to) : energy;
+  }
+
   void append(ArcKind kind, JointState to) {
-    if (std::abs(to.position - from_.position) <= shortest_) {
+    const double fastest = std::max(std::abs(to.velocity), std::abs(from_.velocity));
+    if (std::abs(to.position - from_.position) <= shortest_ &&
+        std::abs(to.velocity - from_.velocity) <= kShortestGain * fastest) {
       from_.velocity = to.velocity;
       if (!arcs_.empty()) arcs_.back().end.velocity = to.velocity;
       return;
@@ -83,7 +121,10 @@ std::optional<Blocked> append_leg(const System& system, JointState from, JointSt
   const auto found = fastest_stretches(path, energy_of(from), energy_of(to));
   if (const auto* obstruction = std::get_if<Obstruction>(&found)) return blocked_by(*obstruction, path, to);
   ArcChain chain(path, from, to);
-  for (const Stretch& stretch : std::get<std::vector<Stretch>>(found)) chain.add(stretch);
+  const auto& stretches = std::get<std::vector<Stretch>>(found);
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    chain.add(stretches[i], i + 1 < stretches.size() ? &stretches[i + 1] : nullptr);
+  }
   const std::vector<Arc> leg = std::move(chain).end_in(to);
   arcs.insert(arcs.end(), leg.begin(), leg.end());
   return std::nullopt;
@@ -135,8 +176,9 @@ ArcsOrBlocked motion_through(const System& system, JointState start, const std::
   JointState from = start;
   for (std::size_t i = 0; i <= turns.size(); ++i) {
     const JointState to = i < turns.size() ? JointState{turns[i], 0.0} : goal;
-    if (is_same(to.position, from.position)) {
+    if (is_one_position(to.position, from.position)) {
       if (to.velocity != from.velocity) return Blocked{BlockReason::kGoalTooFast, to.position, to.velocity};
+      if (!arcs.empty()) from = arcs.back().end = to;
       continue;
     }
     if (auto blocked = append_leg(system, from, to, arcs)) return *blocked;
@@ -166,7 +208,7 @@ std::optional<ArcsOrBlocked> one_way_motion(const System& system, JointState sta
     const auto& arcs = std::get<std::vector<Arc>>(after);
     to = {arcs.empty() ? goal.position : arcs.front().start.position, 0.0};
   }
-  const bool meet = is_same(from.position, to.position);
+  const bool meet = is_one_position(from.position, to.position);
   if (!meet && direction * (to.position - from.position) < 0.0) return std::nullopt;
   auto& arcs = std::get<std::vector<Arc>>(before);
   if (!meet) {

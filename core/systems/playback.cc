@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace dualarm {
@@ -9,8 +10,11 @@ namespace {
 
 /// Part of the acceleration scale by which the quintic between two knots may depart from the arc.
 constexpr double kInterpolationError = 5e-10;
-/// Rounding of positions (rad) as it shows in the quintic's acceleration, times the square of the spacing.
-constexpr double kPositionRounding = 1e-14;
+/// Rounding of positions (rad at 1 rad) as it shows in the quintic's acceleration, times the square of the spacing:
+/// less than verification forgives.
+constexpr double kPositionRounding = 6e-16;
+/// s: shorter arcs are no motion but a jump of their knots.
+constexpr double kShortestArc = 2e-11;
 /// Part of a plan's duration by which times that others have rounded in another order may differ.
 constexpr double kTimeRounding = 1e-12;
 /// Number of intervals of an arc up to which it may double.
@@ -47,7 +51,7 @@ class Player {
   /// Stays in a state until a time, which takes rest or no time.
   void hold(JointState state, double until) {
     if (state.velocity != 0.0) {
-      if (std::abs(until - now_) > kTimeRounding * duration_) {
+      if (std::abs(until - now_) > kTimeRounding * duration_ + kShortestArc) {
         throw std::logic_error("an arm that moves cannot wait for its next motion or the end of the plan");
       }
       return;
@@ -65,6 +69,7 @@ class Player {
       Arc placed = arc;
       placed.start_time = now_;
       placed.end_time = std::clamp(motion.start_time + arc.end_time, now_, duration_);
+      if (placed.end_time - now_ < kShortestArc) placed.end_time = now_;
       const std::vector<Knot> knots = knots_along(motion.profile, arc, placed);
       played_.arcs.push_back(placed);
       played_.knots.insert(played_.knots.end(), knots.begin(), knots.end());
@@ -98,12 +103,17 @@ class Player {
     played_.knots.push_back({time, state.position, state.velocity, acceleration, system_.torque(state, acceleration)});
   }
 
+  /// Of a position and of a time, as a position.
+  static double rounding_of(double time, const JointState& state) {
+    return kPositionRounding * (std::abs(state.position) + std::abs(state.velocity) * time);
+  }
+
   /// One interval could be symmetric, and half way between its knots right by chance; but where two would be so short
   /// that the rounding of positions shows, one is all that can be had.
   int fewest(const Arc& arc) const {
     const double h = 0.5 * (arc.end_time - arc.start_time);
     const double scale = system_.acceleration(arc.start.position, arc.start.velocity).length();
-    const double rounding = kPositionRounding * (1.0 + std::abs(arc.start.position)) / (h * h);
+    const double rounding = rounding_of(arc.start_time, arc.start) / (h * h);
     return rounding > kInterpolationError * scale ? 1 : 2;
   }
 
@@ -117,7 +127,7 @@ class Player {
       count *= 2;
       std::vector<Knot> closer = knots_along(profile, arc, placed, count);
       const double now = unfaithfulness(profile, arc, closer);
-      vain = now < kGain * least ? 0 : vain + 1;
+      vain = now < kGain * least || !std::isfinite(least) ? 0 : vain + 1;
       if (vain > 0) continue;
       least = now;
       knots = std::move(closer);
@@ -145,10 +155,12 @@ class Player {
       const Middle middle = middle_of(knots[i], knots[i + 1]);
       const double h = knots[i + 1].time - knots[i].time;
       const double scale = system_.acceleration(middle.position, middle.velocity).length();
-      const double rounding = kPositionRounding * (1.0 + std::abs(middle.position)) / (h * h);
+      const double rounding = rounding_of(knots[i].time, {middle.position, middle.velocity}) / (h * h);
       const double error =
           std::abs(middle.acceleration - profile.acceleration_on(arc, {middle.position, middle.velocity}));
-      largest = std::max(largest, error / (kInterpolationError * scale + rounding));
+      const double part = error / (kInterpolationError * scale + rounding);
+      if (!std::isfinite(part)) return std::numeric_limits<double>::infinity();  // so long that it ran away
+      largest = std::max(largest, part);
     }
     return largest;
   }

@@ -10,7 +10,7 @@ namespace dualarm {
 namespace {
 
 CarriedBody carried(Body body, const Base& base, const Interpolant& motion) {
-  const double its_reach = reach(body.capsule);
+  const double its_reach = reach(body.shape);
   return {std::move(body), base, &motion, its_reach};
 }
 
@@ -22,7 +22,7 @@ double farthest_way(const CarriedBody& body, Interval time, double middle) {
 TurningBody turning_body(const CarriedBody& carried_body, Interval time, double middle) {
   const JointState state = carried_body.motion->state(middle);
   const Interpolant::Bounds bounds = carried_body.motion->bounds(time);
-  return {placed(carried_body.body.capsule, link_pose(carried_body.base, state.position)),
+  return {placed(std::get<Capsule>(carried_body.body.shape), link_pose(carried_body.base, state.position)),
           carried_body.base.position,
           carried_body.reach,
           carried_body.base.sense() * state.velocity,
@@ -49,7 +49,7 @@ std::vector<BodyPair> pairs_that_may_meet(const CarriedBodies& bodies) {
   const auto pair_up = [&pairs](const std::vector<CarriedBody>& firsts, const std::vector<CarriedBody>& seconds) {
     for (const CarriedBody& first : firsts) {
       for (const CarriedBody& second : seconds) {
-        pairs.push_back({&first, &second, clearance_error(first.body.capsule, second.body.capsule)});
+        pairs.push_back({&first, &second, clearance_error(first.body.shape, second.body.shape)});
       }
     }
   };

@@ -6,6 +6,7 @@
 
 #include "server/request/dynamics.h"
 #include "server/request/limits.h"
+#include "server/request/torque_table.h"
 
 namespace dualarm {
 namespace {
@@ -117,6 +118,10 @@ Arm read_arm(const wire::Arm& message, const Field& field) {
   if (message.has_dynamics() && message.has_torque_limit()) {
     check_acceleration(arm, field);
     check_damping(arm, field);
+    const auto* table = std::get_if<TorqueTable>(&arm.torque);
+    if (table != nullptr && arm.inertia >= ranges::kTotalInertia.min) {
+      check_steepness(*table, arm.inertia, field.child("torque_limit").child("table"));
+    }
   }
   return arm;
 }

@@ -21,11 +21,11 @@ std::optional<Method> read_method(int number, std::string_view name, const Field
     case wire::METHOD_STATE_TIME:
       return Method::kStateTime;
     case wire::METHOD_PASSAGE:
-      options.complain_not_served(name, "allow METHOD_DELAY and METHOD_STATE_TIME, or leave methods empty");
-      return std::nullopt;
+      return Method::kPassage;
     default:
-      options.complain(name,
-                       fmt::format("is {}, must be METHOD_SIMULTANEOUS, METHOD_DELAY or METHOD_STATE_TIME", number));
+      options.complain(name, fmt::format("is {}, must be METHOD_SIMULTANEOUS, METHOD_DELAY, METHOD_PASSAGE or "
+                                         "METHOD_STATE_TIME",
+                                         number));
       return std::nullopt;
   }
 }

@@ -61,6 +61,9 @@ inline constexpr int kMostTableEntries = 100000;
 inline constexpr double kFastestDamping = 1e9;
 inline constexpr double kLeastTopSpeed = 1e-9;
 
+/// Most that a limit of a torque table may change with the velocity, over the inertia (1/s).
+inline constexpr double kSteepestTable = 1e8;
+
 /// Two arms with this many knots fill 4 MB, and 4 MiB is what a gRPC client takes by default.
 inline constexpr int kMostKnots = 50000;
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace dualarm {
 namespace {
 
@@ -67,7 +70,31 @@ bool has_rows(const wire::TorqueTable& message, const TorqueTable& grid, const F
   return true;
 }
 
+/// Change of a limit over the step from one velocity of a table to the next, N m s, at the steepest of its positions.
+double steepest(const TorqueTable& table, std::size_t step) {
+  const std::size_t columns = table.velocities.size();
+  double change = 0.0;
+  for (std::size_t entry = step; entry < table.limits.size(); entry += columns) {
+    const Interval& before = table.limits[entry - 1];
+    const Interval& after = table.limits[entry];
+    change = std::max({change, std::abs(after.lower - before.lower), std::abs(after.upper - before.upper)});
+  }
+  return change / (table.velocities[step] - table.velocities[step - 1]);
+}
+
 }  // namespace
+
+void check_steepness(const TorqueTable& read, double inertia, const Field& table) {
+  for (std::size_t step = 1; step < read.velocities.size(); ++step) {
+    const double rate = steepest(read, step) / inertia;
+    if (rate <= ranges::kSteepestTable) continue;
+    table.complain(
+        fmt::format("velocity_rad_per_s[{}]", step),
+        fmt::format("is {}, so close to velocity_rad_per_s[{}] = {} that limits change by {} 1/s between them "
+                    "at an inertia of {} kg m^2, must be at most {} 1/s: move them apart",
+                    read.velocities[step], step - 1, read.velocities[step - 1], rate, inertia, ranges::kSteepestTable));
+  }
+}
 
 TorqueLimit read_torque_table(const wire::TorqueTable& message, const Field& table) {
   TorqueTable read;

@@ -60,22 +60,21 @@ wire::ArmTrajectory trajectory_message(const ArmTrajectory& trajectory) {
   return message;
 }
 
-// A gate of the planner fixes the position of the first arm.
-wire::Gate gate_message(const Gate& gate, const std::string& first_arm) {
+wire::Gate gate_message(const Gate& gate, const Trajectory& trajectory) {
   wire::Gate message;
-  message.set_pinned_arm(first_arm);
-  message.set_pinned_position_rad(gate.theta1);
-  message.set_corner_position_rad(gate.theta2);
+  message.set_pinned_arm(trajectory[gate.pinned_arm].arm);
+  message.set_pinned_position_rad(gate.pinned_position);
+  message.set_corner_position_rad(gate.corner_position);
   return message;
 }
 
-wire::Certificate certificate_message(const Certificate& certificate, const std::string& first_arm) {
+wire::Certificate certificate_message(const Certificate& certificate, const Trajectory& trajectory) {
   wire::Certificate message;
   message.set_lower_bound_s(certificate.lower_bound);
   message.set_gap(certificate.gap);
   message.set_claim(claim_message(certificate.claim));
   message.set_source(source_message(certificate.source));
-  if (certificate.gate) *message.mutable_gate() = gate_message(*certificate.gate, first_arm);
+  if (certificate.gate) *message.mutable_gate() = gate_message(*certificate.gate, trajectory);
   for (const Interval& delays : certificate.safe_start_delays.intervals()) {
     wire::Interval& interval = *message.add_safe_start_delays_s();
     interval.set_min(delays.lower);
@@ -93,7 +92,7 @@ wire::Plan plan_message(const Plan& plan) {
   for (const ArmTrajectory& trajectory : plan.trajectory) {
     *message.add_trajectories() = trajectory_message(trajectory);
   }
-  *message.mutable_certificate() = certificate_message(plan.certificate, plan.trajectory[0].arm);
+  *message.mutable_certificate() = certificate_message(plan.certificate, plan.trajectory);
   *message.mutable_verification() = verification_message(plan.verification);
   return message;
 }

@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 Object ball(const std::string& name, double direction, double radius) {
   FixedPlacement placement;
   placement.pose.translation() = Eigen::Vector3d(5.0 * std::cos(direction), 5.0 * std::sin(direction), 0.0);
-  return {name, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), radius}, placement};
+  return {name, Capsule{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), radius}, placement};
 }
 
 /// Half the angle that a ball of radius 0.2 m at 5 m takes from an arm of radius 0.1 m that keeps 0.05 m.
@@ -44,7 +44,8 @@ TEST(FreeRange, KnowsThatACarriedBeamReachesFurther) {
   Problem problem = paper_problem({60, 100}, {90, 120}, 0.1);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(5.0, 0.0, 0.0);
-  problem.objects = {ball("above", 2.3, 0.2), {"beam", {{0, 0, 0}, {0, 1.0, 0}, 0.1}, AttachedPlacement{0, pose, 0.1}}};
+  problem.objects = {ball("above", 2.3, 0.2),
+                     {"beam", Capsule{{0, 0, 0}, {0, 1.0, 0}, 0.1}, AttachedPlacement{0, pose, 0.1}}};
   const FreeRange free = free_range(problem, 0, 0.05);
   EXPECT_LT(free.range.upper, 2.3 - std::atan2(1.0, 5.0));
   EXPECT_EQ(free.above_by, "beam");

@@ -38,7 +38,7 @@ Infeasible must_refuse(const Problem& problem) {
 Object ball(const std::string& name, const Eigen::Vector3d& at, double radius) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = at;
-  return {name, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), radius}, FixedPlacement{pose}};
+  return {name, Capsule{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), radius}, FixedPlacement{pose}};
 }
 
 }  // namespace dualarm

@@ -46,7 +46,7 @@ Problem any_problem(std::uint64_t seed) {
     FixedPlacement placement;
     placement.pose.translation() =
         problem.arms[0].base.position + Eigen::Vector3d(dice.between(-9.0, 9.0), dice.between(-9.0, 9.0), 0.0);
-    problem.objects.push_back({"ball" + std::to_string(count), {{0, 0, 0}, {0, 0, 0}, 0.15}, placement});
+    problem.objects.push_back({"ball" + std::to_string(count), Capsule{{0, 0, 0}, {0, 0, 0}, 0.15}, placement});
   }
   return problem;
 }

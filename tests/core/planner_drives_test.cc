@@ -48,6 +48,25 @@ TEST(PlannerOfAnyDrive, CallsImpossibleWhatNoSwingCanDo) {
   EXPECT_EQ(must_refuse(problem).reason, InfeasibleReason::kTorqueTooSmall);
 }
 
+TEST(PlannerOfAnyDrive, SaysThatTimeRanOutBeforeASwingWasFound) {
+  const Outcome outcome = plan(weak_problem(0, 0.60), Budget(Budget::Clock::now()));
+  const auto* undecided = std::get_if<Undecided>(&outcome.answer);
+  ASSERT_NE(undecided, nullptr);
+  EXPECT_THAT(undecided->tried.front(), testing::HasSubstr("Time ran out in the search for motions that swing"));
+}
+
+TEST(PlannerOfAnyDrive, CallsImpossibleWhatOnlyAVelocityLimitForbids) {
+  Problem problem = weak_problem(0, 0.76);
+  must_plan(problem);
+  problem.arms[0].velocity = {-0.1, 0.1};
+  const Infeasible refused = must_refuse(problem);
+  EXPECT_EQ(refused.reason, InfeasibleReason::kVelocityLimit);
+  ASSERT_TRUE(refused.evidence.relaxation);
+  problem.arms[0].velocity.lower -= 1.001 * *refused.evidence.relaxation;
+  problem.arms[0].velocity.upper += 1.001 * *refused.evidence.relaxation;
+  must_plan(problem);
+}
+
 TEST(PlannerOfAnyDrive, SwingsOnlyWhereFixedObjectsLeaveRoom) {
   Problem problem = weak_problem(0, 0.60);
   const double free_duration = must_plan(problem).duration;
@@ -133,6 +152,7 @@ TEST(PlannerOfAnyDrive, IsUndecidedWhereAFastestMotionWouldHaveToBeStretched) {
   const auto* undecided = std::get_if<Undecided>(&outcome.answer);
   ASSERT_NE(undecided, nullptr);
   EXPECT_THAT(undecided->tried, testing::ElementsAre(testing::HasSubstr("would have to be stretched"),
+                                                     testing::HasSubstr("no gate was found"),
                                                      testing::HasSubstr("from rest to rest only")));
   EXPECT_GT(undecided->best_lower_bound, 1.0);
 }

@@ -19,29 +19,85 @@ struct WorkedRow {
   std::array<double, 2> goal;
   double first;
   double second;
-  double plan;
+  double delay;  ///< s, of the best delay plan; 0 if none exists
+  double bound;  ///< s, of the passage
+  Method method;
 };
 
 class WorkedValues : public testing::TestWithParam<WorkedRow> {};
 
-TEST_P(WorkedValues, AreReachedByTheDelayPlan) {
+TEST_P(WorkedValues, AreReachedAndProvenToBeOptimal) {
   const WorkedRow& row = GetParam();
-  const Plan found = must_plan(paper_problem(row.start, row.goal));
+  for (const double radius : {0.0, 1e-3}) {
+    const Plan found = must_plan(paper_problem(row.start, row.goal, radius));
+    EXPECT_EQ(found.method, row.method);
+    EXPECT_NEAR(found.duration, row.bound, 1e-3 * row.bound);
+    EXPECT_NEAR(found.certificate.lower_bound, row.bound, radius == 0.0 ? 1e-5 : 1e-3);
+    EXPECT_GE(found.duration, found.certificate.lower_bound);
+    EXPECT_LT(found.certificate.gap, 2.5e-5);  // what the planning margin costs
+    EXPECT_EQ(found.certificate.claim, Claim::kOptimal);
+    EXPECT_EQ(found.certificate.source, LowerBoundSource::kPassage);
+    ASSERT_TRUE(found.certificate.gate);
+    EXPECT_NEAR(found.certificate.gate->pinned_position, std::acos(2.0 / 3.0), 1e-3);  // the tip of the lens
+  }
+}
+
+TEST_P(WorkedValues, OfDelaysAreReachedWherePassagesAreNotAllowed) {
+  const WorkedRow& row = GetParam();
+  Problem problem = paper_problem(row.start, row.goal);
+  problem.options.methods = {Method::kSimultaneous, Method::kDelay};
+  if (row.delay == 0.0) {
+    EXPECT_EQ(must_refuse(problem).reason, InfeasibleReason::kNoCoordination);
+    return;
+  }
+  const Plan found = must_plan(problem);
   EXPECT_EQ(found.method, Method::kDelay);
   EXPECT_NEAR(found.trajectory[0].duration, row.first, 1e-4);
   EXPECT_NEAR(found.trajectory[1].duration, row.second, 1e-4);
-  EXPECT_NEAR(found.duration, row.plan, 1e-4);
-  EXPECT_NEAR(found.certificate.lower_bound, std::max(row.first, row.second), 1e-4);
-  EXPECT_NEAR(found.certificate.gap, row.plan / std::max(row.first, row.second) - 1.0, 1e-4);
+  EXPECT_NEAR(found.duration, row.delay, 1e-4);
+  EXPECT_EQ(found.certificate.claim == Claim::kOptimal, row.method == Method::kDelay);
+  EXPECT_NEAR(found.certificate.gap, row.delay / row.bound - 1.0, 1e-4);
 }
 
 // theory.md, section 4.
-INSTANTIATE_TEST_SUITE_P(Theory, WorkedValues,
-                         testing::Values(WorkedRow{{30, 60}, {60, 30}, 1.188197, 1.188197, 1.500925},
-                                         WorkedRow{{20, 90}, {90, 20}, 1.767860, 1.767860, 1.793744},
-                                         WorkedRow{{20, 70}, {60, 20}, 1.333816, 1.489711, 1.795627},
-                                         WorkedRow{{10, 80}, {60, 15}, 1.451674, 1.675828, 1.970339},
-                                         WorkedRow{{5, 60}, {50, 10}, 1.365145, 1.451674, 2.208863}));
+INSTANTIATE_TEST_SUITE_P(
+    Theory, WorkedValues,
+    testing::Values(WorkedRow{{30, 60}, {60, 30}, 1.188197, 1.188197, 1.500925, 1.500925, Method::kDelay},
+                    WorkedRow{{20, 90}, {90, 20}, 1.767860, 1.767860, 1.793744, 1.793744, Method::kDelay},
+                    WorkedRow{{20, 70}, {60, 20}, 1.333816, 1.489711, 1.795627, 1.793744, Method::kPassage},
+                    WorkedRow{{10, 80}, {60, 15}, 1.451674, 1.675828, 1.970339, 1.960533, Method::kPassage},
+                    WorkedRow{{5, 60}, {50, 10}, 1.365145, 1.451674, 2.208863, 2.087963, Method::kPassage},
+                    WorkedRow{{10, 40}, {40, 10}, 1.134967, 1.134967, 0.0, 2.144247, Method::kPassage}));
+
+TEST(Planner, RetreatsWhereTheExtremalMotionsClipTheSet) {
+  Problem problem = paper_problem({10, 40}, {40, 10}, 0.2);
+  for (Arm& arm : problem.arms) arm.inertia = 12.0;
+  const Plan found = must_plan(problem);
+  EXPECT_EQ(found.method, Method::kPassage);
+  EXPECT_LT(found.duration, 1.270);  // a transcription found 1.2661
+  EXPECT_NEAR(found.certificate.lower_bound, 1.2405, 1e-4);
+  EXPECT_EQ(found.certificate.claim, Claim::kGap);
+}
+
+TEST(Planner, OvershootsWhereMovingStartsCannotWait) {
+  Problem problem = paper_problem({30, 60}, {60, 30}, 0.05);
+  problem.tasks[0].start.velocity = 0.2;
+  problem.tasks[1].start.velocity = -0.2;
+  problem.options.methods = {Method::kSimultaneous, Method::kDelay, Method::kPassage};
+  const Plan found = must_plan(problem);
+  EXPECT_EQ(found.method, Method::kPassage);
+  EXPECT_EQ(found.trajectory[0].start_time, 0.0);
+  EXPECT_EQ(found.trajectory[1].start_time, 0.0);
+  EXPECT_EQ(found.certificate.source, LowerBoundSource::kPassage);
+}
+
+TEST(Planner, RefusesWhatTheForbiddenSetParts) {
+  Problem problem = paper_problem({10, 40}, {40, 10}, 0.1);
+  for (Arm& arm : problem.arms) arm.joint_range = {0.0, 0.25 * kPi};
+  const Infeasible refused = must_refuse(problem);
+  EXPECT_EQ(refused.reason, InfeasibleReason::kNoCoordination);
+  EXPECT_THAT(refused.explanation, testing::HasSubstr("no path leads from the start to the goal"));
+}
 
 TEST(Planner, MovesBothArmsTogetherWhereThatIsFree) {
   const Plan found = must_plan(paper_problem({100, 90}, {140, 150}, 0.1));
@@ -52,12 +108,14 @@ TEST(Planner, MovesBothArmsTogetherWhereThatIsFree) {
   EXPECT_EQ(found.trajectory[1].start_time, 0.0);
 }
 
-TEST(Planner, SolvesTheRetreatBySearchWhereNoDelayExists) {
-  const Plan found = must_plan(paper_problem({10, 40}, {40, 10}, 0.05));
+TEST(Planner, SolvesTheRetreatBySearchWhereNoDelayExistsAndNoPassageIsAllowed) {
+  Problem problem = paper_problem({10, 40}, {40, 10}, 0.05);
+  problem.options.methods = {Method::kSimultaneous, Method::kDelay, Method::kStateTime};
+  const Plan found = must_plan(problem);
   EXPECT_EQ(found.method, Method::kStateTime);
   EXPECT_GT(found.duration, 2.1442);  // the proven bound without radius; theory.md, section 4
-  EXPECT_EQ(found.certificate.claim, Claim::kGap);
-  EXPECT_GT(found.certificate.gap, 0.0);
+  EXPECT_GT(found.certificate.lower_bound, 2.1442);
+  EXPECT_GE(found.duration, found.certificate.lower_bound);
 }
 
 TEST(Planner, RefusesTheRetreatWhereOnlyDelaysAreAllowed) {
@@ -177,7 +235,7 @@ TEST(Planner, TakesACarriedObjectIntoAccountInDynamicsAndGeometry) {
   const Plan empty = must_plan(problem);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(6.3, 0.0, 0.0);
-  problem.objects = {{"beam", {{0, -1.0, 0}, {0, 1.0, 0}, 0.1}, AttachedPlacement{0, pose, 0.4}}};
+  problem.objects = {{"beam", Capsule{{0, -1.0, 0}, {0, 1.0, 0}, 0.1}, AttachedPlacement{0, pose, 0.4}}};
   for (Arm& arm : problem.arms) arm.payload_gravity = 9.81;
   const Plan loaded = must_plan(problem);
   EXPECT_GT(loaded.trajectory[0].duration, empty.trajectory[0].duration);

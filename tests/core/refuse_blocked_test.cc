@@ -119,10 +119,67 @@ TEST(RefuseBlocked, GivesTheTorqueThatIsMissingAtTheStateItself) {
   const double needed = 100.0 * std::sin(1.5) - 4.0 * 2.0;
   EXPECT_NEAR(refusal.evidence.needed_torque.value(), needed, 1e-9);
   EXPECT_NEAR(refusal.evidence.available_torque.value(), 20.0, 1e-12);
-  EXPECT_NEAR(refusal.evidence.relaxation.value(), needed - 20.0, 1e-9);
   EXPECT_EQ(refusal.evidence.velocity.value(), -2.0);
-  EXPECT_THAT(refusal.explanation, HasSubstr("cannot keep its velocity limit"));
-  EXPECT_THAT(refusal.explanation, HasSubstr("with -2 rad/s, keeping that velocity needs 91.7495 N m and 20 N m"));
+  EXPECT_THAT(refusal.explanation, HasSubstr("cannot keep its velocity limits [-2, 2] rad/s"));
+  EXPECT_THAT(refusal.explanation, HasSubstr("it still gets faster than -2 rad/s at 1.5 rad"));
+  EXPECT_THAT(refusal.explanation, HasSubstr("keeping that velocity needs 91.7495 N m and 20 N m are available"));
+}
+
+TEST(RefuseBlocked, NamesTheVelocityLimitThatKeepsAnArmFromGettingPastGravity) {
+  // Gravity has the better of the drive from asin(0.8) on; braked through there, the arm comes down with 1.30536 rad/s.
+  Arm arm = light_arm();
+  arm.inertia = 1.0;
+  arm.gravity.amplitude = 5.0;
+  arm.torque = Interval{-4.0, 4.0};
+  arm.velocity = {-1.0, 1.0};
+  const double loss = 6.0 - 4.0 * (kPi - 2.0 * std::asin(0.8));
+  const Infeasible down = refusal_of(arm, {{3.0, 0.0}, {0.1, 0.0}}, whole(arm));
+  EXPECT_EQ(down.reason, InfeasibleReason::kVelocityLimit);
+  EXPECT_NEAR(down.evidence.position.value(), std::asin(0.8), 1e-9);
+  EXPECT_EQ(down.evidence.velocity.value(), -1.0);
+  EXPECT_NEAR(down.evidence.relaxation.value(), std::sqrt(2.0 * loss) - 1.0, 1e-5);
+  EXPECT_FALSE(down.evidence.needed_torque);
+  EXPECT_THAT(down.explanation, HasSubstr("braking with full torque, it still gets faster than -1 rad/s at 0.927295"));
+  EXPECT_THAT(down.explanation, HasSubstr("give it a velocity limit 0.305"));
+  const Infeasible up = refusal_of(arm, {{0.1, 0.0}, {3.0, 0.0}}, whole(arm));
+  EXPECT_THAT(up.explanation, HasSubstr("even with full torque from 1 rad/s at 0.927295"));
+  EXPECT_THAT(up.explanation, HasSubstr("it does not get past what follows"));
+}
+
+TEST(RefuseBlocked, SaysThatADriveHasNoTorqueAboveItsNoLoadSpeed) {
+  Arm arm = light_arm();
+  arm.torque = TorqueSpeedLine{1.0, 1.0};
+  arm.joint_range = {-100.0, 100.0};
+  const Infeasible refusal = refusal_of(arm, {{0.0, 0.0}, {1.0, 1.5}}, whole(arm));
+  EXPECT_EQ(refusal.reason, InfeasibleReason::kGoalTooFast);
+  EXPECT_FALSE(refusal.evidence.relaxation);
+  EXPECT_THAT(refusal.explanation, HasSubstr("arrive slower, or give it a drive with a higher no-load speed"));
+  EXPECT_THAT(refusal.explanation, testing::Not(HasSubstr("larger range")));
+}
+
+TEST(RefuseBlocked, SaysThatADriveCannotGiveLess) {
+  Arm arm = light_arm();
+  arm.torque = Interval{10.0, 60.0};
+  const Infeasible start = refusal_of(arm, {{1.0, 0.0}, {2.0, 0.0}}, whole(arm));
+  EXPECT_EQ(start.reason, InfeasibleReason::kStartNotHoldable);
+  EXPECT_THAT(start.explanation, HasSubstr("gravity needs 0 N m, and the drive gives no less than 10 N m"));
+  EXPECT_THAT(start.explanation, testing::Not(HasSubstr("more torque")));
+  arm.gravity.amplitude = 30.0;
+  const Infeasible goal = refusal_of(arm, {{kPi / 2, 0.0}, {kPi, 0.0}}, whole(arm));
+  EXPECT_EQ(goal.reason, InfeasibleReason::kGoalNotHoldable);
+  EXPECT_THAT(goal.explanation, HasSubstr("the drive gives no less than 10 N m"));
+}
+
+TEST(RefuseBlocked, GivesAsManyDigitsAsTellNumbersApart) {
+  Arm arm = light_arm();
+  arm.gravity.amplitude = 1.0;
+  arm.torque = Interval{-(1.0 - 1e-9), 1.0 - 1e-9};
+  const Infeasible near = refusal_of(arm, {{kPi / 2, 0.0}, {kPi, 0.0}}, whole(arm));
+  EXPECT_THAT(near.explanation, HasSubstr("gravity needs 1 N m and 0.999999999 N m are available"));
+  const Blocked balanced{BlockReason::kStalls, kPi / 2, 0.0, Extreme::kHighest, false};
+  arm.torque = Interval{-1.0, 1.0};
+  const Infeasible none = refuse_blocked(arm, {{kPi / 2, 0.0}, {kPi, 0.0}}, SingleJointArm(arm), whole(arm), balanced);
+  EXPECT_THAT(none.explanation, HasSubstr("gravity needs all of the 1 N m that are available"));
 }
 
 TEST(RefuseBlocked, ComparesNoTorquesWhereOnlyTheWayWasTooShort) {

@@ -36,7 +36,7 @@ TEST(Chain, TheFrameStaysRightHandedAndUprightInEitherSense) {
 
 TEST(Chain, PlacingMovesBothEndsAndKeepsTheRadius) {
   const Eigen::Isometry3d pose = link_pose({{1.0, 0.0, 0.5}, 0.0, Rotation::kCounterclockwise}, kPi / 2.0);
-  const Capsule capsule = placed({{1.0, 0.0, 0.0}, {2.0, 0.0, 0.1}, 0.25}, pose);
+  const Capsule capsule = placed(Capsule{{1.0, 0.0, 0.0}, {2.0, 0.0, 0.1}, 0.25}, pose);
   EXPECT_TRUE(capsule.start.isApprox(Eigen::Vector3d(1.0, 1.0, 0.5), 1e-15));
   EXPECT_TRUE(capsule.end.isApprox(Eigen::Vector3d(1.0, 2.0, 0.6), 1e-15));
   EXPECT_EQ(capsule.radius, 0.25);

@@ -11,13 +11,13 @@ namespace dualarm {
 namespace {
 
 TEST(MotionBound, ALinkReachesItsLengthAndRadius) {
-  EXPECT_DOUBLE_EQ(reach({{0.0, 0.0, 0.0}, {6.0, 0.0, 0.0}, 0.25}), 6.25);
+  EXPECT_DOUBLE_EQ(reach(Capsule{{0.0, 0.0, 0.0}, {6.0, 0.0, 0.0}, 0.25}), 6.25);
 }
 
-TEST(MotionBound, TheNearEndMayBeTheFarOne) { EXPECT_DOUBLE_EQ(reach({{3.0, 4.0, 0.0}, {1.0, 0.0, 0.0}, 0.5}), 5.5); }
+TEST(MotionBound, TheNearEndMayBeTheFarOne) { EXPECT_DOUBLE_EQ(reach(Capsule{{3.0, 4.0, 0.0}, {1.0, 0.0, 0.0}, 0.5}), 5.5); }
 
 TEST(MotionBound, HeightAboveThePlaneAddsNothing) {
-  EXPECT_DOUBLE_EQ(reach({{3.0, 4.0, 7.0}, {0.0, 0.0, -9.0}, 0.0}), 5.0);
+  EXPECT_DOUBLE_EQ(reach(Capsule{{3.0, 4.0, 7.0}, {0.0, 0.0, -9.0}, 0.0}), 5.0);
 }
 
 TEST(MotionBound, DistanceToAnythingFixedChangesByNoMoreThanReachTimesAngle) {

@@ -1,7 +1,9 @@
 #include "tests/reference/motion_judge.h"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 #include "tests/reference/own_integration.h"
 
@@ -10,8 +12,8 @@ namespace {
 
 /// Positions and velocities are given in double: a few roundings of them are in every answer.
 constexpr double kRoundings = 64.0 * std::numeric_limits<double>::epsilon();
-/// Of a velocity: what a cruise may change on the way.
-constexpr double kSteady = 1e-12;
+/// Of a velocity: what a cruise may change on the way. Starts and goals this close to the limit are on it.
+constexpr double kSteady = 1e-9;
 
 template <typename... Parts>
 std::string words(const Parts&... parts) {
@@ -36,17 +38,14 @@ class Judge {
     judge_seams(start, goal);
     if (!complaints_.empty()) return complaints_;
     Real missed = 0;
-    OwnState<Real> state = {start.position, start.velocity};
-    for (const Arc& arc : arcs_) {
-      missed += arc.kind == ArcKind::kCruise ? judge_cruise(arc) : judge_arc(arc);
-      state = driven(arc, state);
-    }
+    for (const Arc& arc : arcs_) missed += arc.kind == ArcKind::kCruise ? judge_cruise(arc) : judge_arc(arc);
     const double duration = arcs_.back().end_time;
     const double floor = kRoundings * farthest_ / fastest_;
     if (!(missed <= Real(tolerances_.duration * duration + floor + tolerances_.instant))) {
       complain("the times of the arcs are off by ", static_cast<double>(missed), " s of ", duration);
     }
-    if (is_audible(duration) && !near(state, goal, tolerances_.state)) {
+    const OwnState<Real> state = driven({start.position, start.velocity});
+    if (!near(state, goal, tolerances_.state) && is_audible(duration) && !drowns(start, state)) {
       complain("its torques lead to ", double(state[0]), " ", double(state[1]), ", not to the goal");
     }
     return complaints_;
@@ -69,8 +68,21 @@ class Judge {
     return std::sqrt(std::abs(arm_.gravity.amplitude) / arm_.inertia) * time <= tolerances_.growth;
   }
 
+  /// Whether an error at the start drowns the end, as it does on the steep rows of a table, which feed a speed.
+  bool drowns(JointState start, const OwnState<Real>& end) {
+    constexpr double kError = 1e-9;  // rad/s
+    const OwnState<Real> other = driven({start.position, start.velocity + kError});
+    return std::abs(other[1] - end[1]) + std::abs(other[0] - end[0]) > Real(kError * std::exp(tolerances_.growth));
+  }
+
+  /// Velocities tell it where positions are too coarse.
+  static int direction_of(const Arc& arc) {
+    const double velocities = arc.start.velocity + arc.end.velocity;
+    return (velocities != 0.0 ? velocities : arc.end.position - arc.start.position) > 0.0 ? 1 : -1;
+  }
+
   static int sense_of(const Arc& arc) {
-    const int direction = arc.end.position > arc.start.position ? 1 : -1;
+    const int direction = direction_of(arc);
     return arc.kind == ArcKind::kAccelerate ? direction : -direction;
   }
 
@@ -84,7 +96,7 @@ class Judge {
       const Arc& arc = arcs_[i];
       if (arc.kind == ArcKind::kHold) complain("arc ", i, " stands still");
       if (!(arc.end_time >= arc.start_time)) complain("arc ", i, " runs backwards in time");
-      const double direction = arc.end.position < arc.start.position ? -1.0 : 1.0;
+      const double direction = direction_of(arc);
       if (!(std::min(direction * arc.start.velocity, direction * arc.end.velocity) >= -tolerances_.state)) {
         complain("arc ", i, " goes against its velocity");
       }
@@ -131,32 +143,57 @@ class Judge {
     return std::abs(Real(arc.end_time) - Real(arc.start_time) - time);
   }
 
-  /// What is missed along the arc counts as time, what is missed across it as state.
+  /// What is missed along the arc counts as time, what is missed across it as state. From the end whose errors fade,
+  /// if they do at one only.
   Real judge_arc(const Arc& arc) {
-    const Real time = Real(arc.end_time) - Real(arc.start_time);
     if (!is_audible(arc.end_time - arc.start_time)) return 0;
     judge_state({arc.start.position, arc.start.velocity});
-    OwnIntegration<Real> integration(arm_, share_of(arc), Real(tolerances_.integration));
-    const auto visit = [&](const OwnState<Real>& state, Real) { judge_state(state); };
-    const OwnState<Real> end = integration.run({arc.start.position, arc.start.velocity}, time, visit);
-    const Real along = own_.acceleration(sense_of(arc), end[0], end[1]);
-    const Real square = end[1] * end[1] + along * along;
-    const Real position_miss = Real(arc.end.position) - end[0];
-    const Real velocity_miss = Real(arc.end.velocity) - end[1];
-    const Real late = square > 0 ? (end[1] * position_miss + along * velocity_miss) / square : Real(0);
-    if (!near({end[0] + late * end[1], end[1] + late * along}, arc.end, tolerances_.state)) {
-      complain("an arc from ", arc.start.position, " ends at ", double(end[0]), " ", double(end[1]), ", not at ",
-               arc.end.position, " ", arc.end.velocity);
-    }
-    return std::abs(late);
+    const Miss forward = followed(arc, false);
+    if (forward.is_met) return forward.late;
+    const Miss backward = followed(arc, true);
+    if (!backward.is_met) complain(forward.words);
+    return backward.late;
   }
 
-  /// The arc's torque over the arc's time from wherever the arm is.
-  OwnState<Real> driven(const Arc& arc, const OwnState<Real>& from) {
+  struct Miss {
+    bool is_met = false;
+    Real late = 0;  ///< s
+    std::string words;
+  };
+
+  /// The arc's torque from one of its ends towards the other.
+  Miss followed(const Arc& arc, bool backwards) {
+    const JointState from = backwards ? arc.end : arc.start;
+    const JointState to = backwards ? arc.start : arc.end;
     const Real time = Real(arc.end_time) - Real(arc.start_time);
-    if (arc.kind == ArcKind::kCruise) return {from[0] + from[1] * time, from[1]};
-    return OwnIntegration<Real>(arm_, share_of(arc), Real(tolerances_.integration))
-        .run(from, time, [](const OwnState<Real>&, Real) {});
+    OwnIntegration<Real> integration(arm_, share_of(arc), Real(tolerances_.integration));
+    std::vector<OwnState<Real>> states;
+    const auto visit = [&](const OwnState<Real>& state, Real) { states.push_back(state); };
+    const OwnState<Real> end = integration.run({from.position, from.velocity}, backwards ? -time : time, visit);
+    const Real along = own_.acceleration(sense_of(arc), end[0], end[1]);
+    const Real square = end[1] * end[1] + along * along;
+    const Real position_miss = Real(to.position) - end[0];
+    const Real velocity_miss = Real(to.velocity) - end[1];
+    const Real late = square > 0 ? (end[1] * position_miss + along * velocity_miss) / square : Real(0);
+    Miss miss = {near({end[0] + late * end[1], end[1] + late * along}, to, tolerances_.state), std::abs(late), {}};
+    miss.words = words("an arc from ", from.position, " ends at ", double(end[0]), " ", double(end[1]), ", not at ",
+                       to.position, " ", to.velocity);
+    if (miss.is_met || backwards) std::for_each(states.begin(), states.end(), [&](const auto& s) { judge_state(s); });
+    return miss;
+  }
+
+  /// The arcs' torques over the arcs' times from a state.
+  OwnState<Real> driven(OwnState<Real> state) {
+    for (const Arc& arc : arcs_) {
+      const Real time = Real(arc.end_time) - Real(arc.start_time);
+      if (arc.kind == ArcKind::kCruise) {
+        state[0] += state[1] * time;
+      } else {
+        state = OwnIntegration<Real>(arm_, share_of(arc), Real(tolerances_.integration))
+                    .run(state, time, [](const OwnState<Real>&, Real) {});
+      }
+    }
+    return state;
   }
 
   const Arm& arm_;

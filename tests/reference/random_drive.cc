@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kHair = 1e-6;          // share of a limit that is left unused
 constexpr double kIntegration = 1e-13;  // rad and rad/s, of a step
-constexpr int kStepsPerArc = 24;        // at whose ends the limits are looked at
+constexpr int kStepsPerArc = 24;        // beyond which a limit is not broken
+constexpr int kLooksPerStep = 16;       // at which the limits are looked at, besides the integration's own steps
 constexpr double kLongestArc = 1.5;     // s
 
 bool inside(const Arm& arm, const OwnState<double>& state) {
@@ -46,7 +47,10 @@ Drive drive_at_random(const Arm& arm, JointState start, std::uint64_t seed) {
       if (cruises) {
         kept = can_cruise(arm, state) && can_cruise(arm, next) && inside(arm, next);
       } else {
-        next = OwnIntegration<double>(arm, share, kIntegration).run(state, step, look);
+        next = state;
+        for (int j = 0; j < kLooksPerStep; ++j) {
+          next = OwnIntegration<double>(arm, share, kIntegration).run(next, step / kLooksPerStep, look);
+        }
       }
       if (!kept) break;
       state = next;

@@ -8,4 +8,9 @@ namespace dualarm {
 /// in long double, by cases (an end against the other axis, four times; both interiors) instead of by clamping.
 long double exact_distance(const Capsule& first, const Capsule& second);
 
+/// Distance (m) of any two shapes, in long double: of what has corners by all corners, faces and edges, of cylinders by
+/// nested search for the least value of a convex function (some ms, error below 1e-12 of the size). Where the cores (a
+/// capsule's axis, all of a box or cylinder) overlap they count as 0 apart; a capsule's radius is taken off.
+long double exact_distance(const Shape& first, const Shape& second);
+
 }  // namespace dualarm

@@ -215,7 +215,7 @@ void check_pairs(const std::vector<Body>& firsts, const std::vector<Body>& secon
                  std::vector<std::string>& complaints) {
   for (const Body& first : firsts) {
     for (const Body& second : seconds) {
-      const auto distance = static_cast<double>(exact_distance(first.capsule, second.capsule));
+      const auto distance = static_cast<double>(exact_distance(first.shape, second.shape));
       if (distance >= demanded - kDistanceTolerance && distance > kTouching) continue;
       complaints.push_back(words(first.name, " and ", second.name, " are ", distance, " m apart at ", time, " s"));
     }
@@ -232,7 +232,7 @@ void check_clearance(const Problem& problem, const Trajectory& trajectory, std::
     std::array<std::vector<Body>, kArmCount> placed_bodies = bodies;
     for (int i = 0; i < kArmCount; ++i) {
       const double position = position_at(trajectory[i].knots, knot[i], time);
-      for (Body& body : placed_bodies[i]) body.capsule = in_world(body.capsule, problem.arms[i].base, position);
+      for (Body& body : placed_bodies[i]) body.shape = in_world(std::get<Capsule>(body.shape), problem.arms[i].base, position);
       check_pairs(placed_bodies[i], fixed, problem.options.clearance, time, complaints);
     }
     check_pairs(placed_bodies[0], placed_bodies[1], problem.options.clearance, time, complaints);

@@ -304,7 +304,7 @@ TEST(ForbiddenDelays, LeaveNoHolesWhereOneArmIsMuchHeavierAndCarriesABeam) {
     problem.arms[0].inertia = inertia;
     const Eigen::Isometry3d pose =
         Eigen::Translation3d(6.0, 0.0, 0.0) * Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ());
-    problem.objects = {{"beam", {{-0.6, 0, 0}, {0.6, 0, 0}, 0.1}, AttachedPlacement{0, pose, 0.0}}};
+    problem.objects = {{"beam", Capsule{{-0.6, 0, 0}, {0.6, 0, 0}, 0.1}, AttachedPlacement{0, pose, 0.0}}};
     expect_no_holes(problem);
   }
 }

@@ -19,8 +19,8 @@ double fcl_distance(const Problem& problem, double theta1, double theta2) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Body& first : moving_bodies(problem, 0)) {
     for (const Body& second : moving_bodies(problem, 1)) {
-      const Capsule a = placed(first.capsule, link_pose(problem.arms[0].base, theta1));
-      const Capsule b = placed(second.capsule, link_pose(problem.arms[1].base, theta2));
+      const Shape a = placed(first.shape, link_pose(problem.arms[0].base, theta1));
+      const Shape b = placed(second.shape, link_pose(problem.arms[1].base, theta2));
       smallest = std::min(smallest, clearance(a, b).distance);
     }
   }
@@ -43,7 +43,8 @@ TEST(ForbiddenSet, AgreesWithFclOnRandomScenesOfAnyHeadingHeightAndSense) {
     const double length = problem.arms[0].length;
     Eigen::Isometry3d pose = Eigen::Translation3d(draw(0.3, 1.2) * length, draw(-0.3, 0.3) * length, draw(-0.1, 0.1)) *
                              Eigen::AngleAxisd(draw(-kPi, kPi), Eigen::Vector3d::UnitZ());
-    problem.objects = {{"load", {{-0.1 * length, 0, 0}, {0.1 * length, 0, 0}, 0.05}, AttachedPlacement{0, pose, 0.0}}};
+    problem.objects = {
+        {"load", Capsule{{-0.1 * length, 0, 0}, {0.1 * length, 0, 0}, 0.05}, AttachedPlacement{0, pose, 0.0}}};
     const double demanded = draw(0.0, 0.1);
     const ForbiddenSet forbidden(problem, demanded);
     for (int i = 0; i < 100; ++i) {

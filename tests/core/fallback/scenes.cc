@@ -24,7 +24,7 @@ Problem retreat_problem() { return paper_problem({10.0, 40.0}, {40.0, 10.0}); }
 Object standing_ball(double x, double y) {
   FixedPlacement placement;
   placement.pose.translation() = Eigen::Vector3d(x, y, 0.0);
-  return {"ball", {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.2}, placement};
+  return {"ball", Capsule{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.2}, placement};
 }
 
 }  // namespace dualarm

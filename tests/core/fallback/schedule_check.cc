@@ -83,7 +83,7 @@ double gap_at(const Problem& problem, const JointPair& positions) {
     const Eigen::Vector3d centre = std::get<FixedPlacement>(object.placement).pose.translation();
     for (int arm = 0; arm < kArmCount; ++arm) {
       const double apart = point_to_segment({centre.x(), centre.y()}, bases[arm], tips[arm]);
-      gap = std::min(gap, apart - problem.arms[arm].radius - object.shape.radius);
+      gap = std::min(gap, apart - problem.arms[arm].radius - std::get<Capsule>(object.shape).radius);
     }
   }
   return gap;

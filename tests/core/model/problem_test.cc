@@ -25,7 +25,7 @@ Problem two_arms() {
 
 Object carried(int arm, const Eigen::Vector3d& at, double yaw, double length, double radius, double mass) {
   Eigen::Isometry3d pose = Eigen::Translation3d(at) * Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
-  return {"load", {{-0.5 * length, 0, 0}, {0.5 * length, 0, 0}, radius}, AttachedPlacement{arm, pose, mass}};
+  return {"load", Capsule{{-0.5 * length, 0, 0}, {0.5 * length, 0, 0}, radius}, AttachedPlacement{arm, pose, mass}};
 }
 
 /// Second moment of a capsule of even density about the z axis through the link frame's origin, by random points.
@@ -79,8 +79,8 @@ TEST(MovingBodies, AreTheLinkAndWhatTheArmCarries) {
   const std::vector<Body> bodies = moving_bodies(problem, 1);
   ASSERT_EQ(bodies.size(), 2U);
   EXPECT_EQ(bodies[1].name, "load");
-  EXPECT_TRUE(bodies[1].capsule.start.isApprox(Eigen::Vector3d(2.0, 0.0, 0.0)));
-  EXPECT_TRUE(bodies[1].capsule.end.isApprox(Eigen::Vector3d(2.0, 1.0, 0.0)));
+  EXPECT_TRUE(std::get<Capsule>(bodies[1].shape).start.isApprox(Eigen::Vector3d(2.0, 0.0, 0.0)));
+  EXPECT_TRUE(std::get<Capsule>(bodies[1].shape).end.isApprox(Eigen::Vector3d(2.0, 1.0, 0.0)));
   EXPECT_TRUE(fixed_bodies(problem).empty());
 }
 
@@ -94,7 +94,7 @@ TEST(LoadedArm, AddsTheInertiaOfTheSolidThatItCarries) {
   for (const auto& [length, radius] : {std::pair{1.0, 0.4}, {0.0, 0.5}, {1.5, 0.05}}) {
     Problem problem = two_arms();
     problem.objects = {carried(0, {1.8, 0.3, 0.0}, 0.9, length, radius, 4.0)};
-    const double expected = sampled_inertia(moving_bodies(problem, 0)[1].capsule, 4.0);
+    const double expected = sampled_inertia(std::get<Capsule>(moving_bodies(problem, 0)[1].shape), 4.0);
     EXPECT_NEAR(loaded_arm(problem, 0).inertia - 5.0, expected, 0.005 * expected) << length << " " << radius;
   }
 }

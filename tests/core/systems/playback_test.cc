@@ -33,6 +33,40 @@ TorqueLimit drawn_limit(int kind, const Draw& draw) {
   return table;
 }
 
+/// Knots are finite and keep to the motion.
+void expect_states_of(const Arm& arm, const SingleJointArm& system, const Profile& profile, double period) {
+  const ArmTrajectory played = play(arm, system, {{0.0, profile}}, profile.duration(), period);
+  for (const Knot& knot : played.knots) {
+    const JointState exact = profile.at(knot.time);
+    ASSERT_NEAR(knot.position, exact.position, 1e-9) << knot.time;
+    ASSERT_NEAR(knot.velocity, exact.velocity, 1e-9) << knot.time;
+  }
+}
+
+/// The quintics keep the limits but for the last digits of positions and times, even over the shortest pieces.
+void expect_within_limits(const Arm& arm, const SingleJointArm& system, const Profile& profile, double period) {
+  const ArmTrajectory played = play(arm, system, {{0.0, profile}}, profile.duration(), period);
+  for (std::size_t i = 0; i + 1 < played.knots.size(); ++i) {
+    const Knot& from = played.knots[i];
+    const Knot& to = played.knots[i + 1];
+    const double h = to.time - from.time;
+    if (h < 1e-12) {
+      ASSERT_NEAR(to.position, from.position, 1e-10);
+      ASSERT_NEAR(to.velocity, from.velocity, 1e-10);
+      continue;
+    }
+    if (h > 1e-3) continue;  // others test long pieces, where accelerations change
+    const double acceleration = (to.velocity - from.velocity) / h;
+    const double way = 0.5 * h * (from.velocity + to.velocity) + h * h / 12.0 * (from.acceleration - to.acceleration);
+    const double last_digits = 4e-16 * (std::abs(to.position) + std::abs(to.velocity) * to.time);
+    ASSERT_NEAR(to.position - from.position, way, last_digits + 1e-9 * h * h) << from.time;
+    const JointState middle = {0.5 * (from.position + to.position), 0.5 * (from.velocity + to.velocity)};
+    const Interval limits = system.acceleration(middle.position, middle.velocity);
+    ASSERT_LE(acceleration, limits.upper + 1e-4) << from.time;
+    ASSERT_GE(acceleration, limits.lower - 1e-4) << from.time;
+  }
+}
+
 class Playback : public testing::Test {
  protected:
   Profile motion(JointState start, JointState goal) const {
@@ -207,6 +241,33 @@ TEST_F(Playback, StopsRefiningWhereItDoesNotHelp) {
   const Profile profile(system_, {untrue});
   const ArmTrajectory played = play(arm_, system_, {{0.0, profile}}, profile.duration(), 0.01);
   EXPECT_LT(static_cast<double>(played.knots.size()), 3.0 * profile.duration() / 0.01);
+}
+
+TEST_F(Playback, FindsKnotsWhereTheFirstStepsRunAway) {
+  // Steps of a tenth of this creeping motion are far beyond its drive's own time.
+  Arm arm = pendulum(1.0, -0.9, 1.0);
+  arm.viscous_friction = 3.0;
+  arm.torque = TorqueSpeedLine{0.912, 0.3};
+  const SingleJointArm system(arm);
+  const auto found = fastest_motion(system, {2.175, 0.597}, {-0.843, 0.0});
+  expect_states_of(arm, system, std::get<FastestMotion>(found).profile, 10.0);
+}
+
+TEST_F(Playback, ShowsNoRoundingInTheShortestArcs) {
+  Arm arm = pendulum(1.0, 0.0, 1.0);
+  arm.joint_range = {-7.0, 7.0};
+  arm.torque = TorqueTable{{-1.0, 0.0, 1.0},
+                           {-2.0, 1.5, 3.0},
+                           {{-4, 6}, {-4, 5}, {-3, 6}, {-5, 3}, {-4, 4}, {-6, 2}, {-4, 2}, {-5, 5}, {-3, 3}}};
+  const SingleJointArm system(arm);
+  for (const double before : {1e-3, 1e-5, 1e-7, 1e-8, 1e-9, 3e-11}) {
+    SCOPED_TRACE(before);
+    for (const JointState start :
+         {JointState{-before, 1.4}, JointState{0.7, 1.5 - before}, JointState{0.7, 1.5 + before}}) {
+      const auto found = fastest_motion(system, start, {-0.8, 0.0});
+      expect_within_limits(arm, system, std::get<FastestMotion>(found).profile, 0.01);
+    }
+  }
 }
 
 TEST_F(Playback, IsNotFooledByASymmetricArc) {

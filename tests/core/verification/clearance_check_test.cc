@@ -29,7 +29,8 @@ double sampled_minimum(const Problem& problem, const Trajectory& trajectory, int
     std::array<Capsule, kArmCount> links;
     for (int i = 0; i < kArmCount; ++i) {
       const double position = motions[i].state(duration * k / instants).position;
-      links[i] = placed(moving_bodies(problem, i)[0].capsule, link_pose(problem.arms[i].base, position));
+      links[i] =
+          placed(std::get<Capsule>(moving_bodies(problem, i)[0].shape), link_pose(problem.arms[i].base, position));
     }
     least = std::min(least, static_cast<double>(exact_distance(links[0], links[1])));
   }
@@ -172,8 +173,7 @@ TEST(ClearanceCheck, AnExhaustedBudgetLeavesItUnknown) {
 Problem crowded_problem(int objects) {
   Problem problem = paper_problem({90.0, 90.0}, {90.0, 90.0}, 0.1, 0.05);
   for (int i = 0; i < objects; ++i) {
-    problem.objects.push_back({"object" + std::to_string(i),
-                               {{1.0, 0.1, 0.0}, {5.0, 0.1, 0.0}, 0.01},
+    problem.objects.push_back({"object" + std::to_string(i), Capsule{{1.0, 0.1, 0.0}, {5.0, 0.1, 0.0}, 0.01},
                                AttachedPlacement{i % kArmCount, Eigen::Isometry3d::Identity(), 0.0}});
   }
   return problem;

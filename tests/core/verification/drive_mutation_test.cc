@@ -122,8 +122,7 @@ const std::vector<Damage>& damages() {
       {"AVelocityIsShifted", line_plan, ViolationKind::kTorque, [](Plan& p) { some_knot(p).velocity += 1e-6; }},
       {"ALoadIsHeavierThanTold", line_plan, ViolationKind::kTorque,
        [](Plan& p) {
-         p.problem.objects.push_back({"load",
-                                      {{3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, 0.05},
+         p.problem.objects.push_back({"load", Capsule{{3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, 0.05},
                                       AttachedPlacement{0, Eigen::Isometry3d::Identity(), 0.01}});
        }},
       {"TheStartVelocityIsAnother", line_plan, ViolationKind::kEndState,

@@ -67,19 +67,17 @@ const std::vector<Damage>& damages() {
        }},
       {"AnObjectStandsInTheWay", ViolationKind::kClearance,
        [](Plan& p) {
-         p.problem.objects.push_back({"post", {{5.0, 3.5, -1.0}, {5.0, 3.5, 1.0}, 0.05}, FixedPlacement{}});
+         p.problem.objects.push_back({"post", Capsule{{5.0, 3.5, -1.0}, {5.0, 3.5, 1.0}, 0.05}, FixedPlacement{}});
        }},
       {"AnArmCarriesSomethingLong", ViolationKind::kClearance,
        [](Plan& p) {
          p.problem.objects.push_back(
-             {"bar",
-              {{0.0, -2.5, 0.0}, {0.0, 2.5, 0.0}, 0.05},
+             {"bar", Capsule{{0.0, -2.5, 0.0}, {0.0, 2.5, 0.0}, 0.05},
               AttachedPlacement{0, Eigen::Isometry3d(Eigen::Translation3d(5.5, 0.0, 0.0)), 0.0}});
        }},
       {"ALoadIsHeavierThanTold", ViolationKind::kTorqueColumn,
        [](Plan& p) {
-         p.problem.objects.push_back({"load",
-                                      {{3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, 0.05},
+         p.problem.objects.push_back({"load", Capsule{{3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, 0.05},
                                       AttachedPlacement{0, Eigen::Isometry3d::Identity(), 1.0}});
        }},
       {"TheDriveIsWeaker", ViolationKind::kTorque,

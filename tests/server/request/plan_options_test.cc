@@ -22,8 +22,6 @@ TEST(ReadPlanOptions, NamesEachViolationWithItsFieldPathAndRemedy) {
        "options.region_model", "is 9, must be REGION_MODEL_EXACT"},
       {"method unset", [](auto& r) { r.mutable_options()->add_methods(wire::METHOD_UNSPECIFIED); },
        "options.methods[0]", "is 0, must be METHOD_SIMULTANEOUS"},
-      {"passage", [](auto& r) { r.mutable_options()->add_methods(wire::METHOD_PASSAGE); }, "options.methods[0]",
-       "is not served by this version: allow METHOD_DELAY"},
       {"twice",
        [](auto& r) {
          r.mutable_options()->add_methods(wire::METHOD_DELAY);

@@ -77,9 +77,9 @@ TEST(ReadScene, PlacesACapsuleAlongTheXAxisOfItsPose) {
   const std::vector<Body> bodies = moving_bodies(problem, 1);
   ASSERT_EQ(bodies.size(), 2u);
   EXPECT_EQ(bodies[1].name, "load");
-  EXPECT_NEAR((bodies[1].capsule.start - Eigen::Vector3d(6.0, -1.0, 0.0)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((bodies[1].capsule.end - Eigen::Vector3d(6.0, 1.0, 0.0)).norm(), 0.0, 1e-12);
-  EXPECT_EQ(bodies[1].capsule.radius, 0.1);
+  EXPECT_NEAR((std::get<Capsule>(bodies[1].shape).start - Eigen::Vector3d(6.0, -1.0, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((std::get<Capsule>(bodies[1].shape).end - Eigen::Vector3d(6.0, 1.0, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(std::get<Capsule>(bodies[1].shape).radius, 0.1);
 }
 
 TEST(ReadScene, TurnsByRollThenPitchThenYaw) {

@@ -70,12 +70,25 @@ TEST(ReadTorqueTable, NamesEachViolationWithItsFieldPathAndRemedy) {
        kTable + ".rows[2].max_newton_meters[0]", "is inf, must be"},
       {"units of torque",
        [](auto& r) {
-         for (auto& row : *table_of(r).mutable_rows()) row.set_max_newton_meters(1, 1e12);
+         for (auto& row : *table_of(r).mutable_rows()) {
+           for (double& torque : *row.mutable_max_newton_meters()) torque = 1e12;
+         }
        },
        "robot.arms[0].torque_limit", "check the units of torque and inertia"},
   };
   EXPECT_TRUE(violations_of(table_request()).empty());
   for (const PlanCase& expected : cases) expect_violation(table_request(), expected);
+}
+
+TEST(ReadTorqueTable, RefusesLimitsThatChangeTooFastWithTheVelocity) {
+  wire::PlanMotionRequest request = table_request();
+  table_of(request).set_velocity_rad_per_s(1, 1e-9);
+  EXPECT_TRUE(violations_of(request).empty()) << "equal limits may stand as close as they like";
+  table_of(request).mutable_rows(2)->set_max_newton_meters(1, 70.0);
+  const auto found = violations_of(request);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].field, kTable + ".velocity_rad_per_s[1]");
+  EXPECT_NE(found[0].description.find("must be at most 100000000 1/s"), std::string::npos) << found[0].description;
 }
 
 TEST(ReadTorqueTable, AnEmptyTableLacksBothGrids) {

@@ -1,0 +1,209 @@
+#include "core/passage/bound.h"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <limits>
+
+#include "core/passage/obstacle.h"
+
+namespace dualarm {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Slices across the fastest motions in which obstacles are looked for.
+constexpr int kSeedSlices = 17;
+/// Parts into which candidates for gates divide an obstacle's extent.
+constexpr int kSpread = 10;
+/// Obstacles that are looked at.
+constexpr std::size_t kMostObstacles = 8;
+/// Bits of the position to which the slowest gate is found, and steps of that search.
+constexpr int kGateBits = 26;
+constexpr std::uintmax_t kMostSteps = 50;
+/// Part of a duration that is worth looking for a better gate.
+constexpr double kHurried = 1e-9;
+
+struct Candidate {
+  Gate gate;
+  GateEstimate estimate;
+};
+
+Gate gate_on(const Slice& slice, bool runs_up) {
+  return {slice.pinned_arm, slice.position, runs_up ? slice.forbidden.upper : slice.forbidden.lower, runs_up};
+}
+
+/// Whether the other arm can be beyond the corner at all.
+bool leads_on(const ForbiddenPlane& plane, const Gate& gate) {
+  const Interval range = plane.range(1 - gate.pinned_arm);
+  return gate.runs_up ? gate.corner_position < range.upper : gate.corner_position > range.lower;
+}
+
+std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travellers& travellers) {
+  std::vector<Obstacle> obstacles;
+  const Interval first = travellers[0].fastest.extent();
+  const Interval second = travellers[1].fastest.extent();
+  for (int i = 0; i < kSeedSlices && obstacles.size() < kMostObstacles; ++i) {
+    const double position = first.lower + first.length() * i / (kSeedSlices - 1);
+    for (const Interval& stretch : plane.slice(0, position).intervals()) {
+      if (stretch.upper < second.lower || stretch.lower > second.upper) continue;
+      const Slice slice = {0, position, stretch};
+      const auto knows = [&](Obstacle& obstacle) { return obstacle.side_of(slice, true).has_value(); };
+      if (std::any_of(obstacles.begin(), obstacles.end(), knows)) continue;
+      obstacles.emplace_back(plane, std::array{travellers[0].start.position, travellers[1].start.position},
+                             std::array{travellers[0].goal.position, travellers[1].goal.position}, slice);
+    }
+  }
+  return obstacles;
+}
+
+/// Seeks the slowest gate of one side of one obstacle.
+class SideSearch {
+ public:
+  SideSearch(const ForbiddenPlane& plane, const Travellers& travellers, Obstacle& obstacle, int side,
+             const Budget& budget)
+      : plane_(plane), travellers_(travellers), obstacle_(obstacle), side_(side), budget_(budget) {}
+
+  /// Nothing if no gate of that side is known.
+  std::optional<Way> run() {
+    const std::vector<Candidate> candidates = all_candidates();
+    if (candidates.empty()) return std::nullopt;
+    consider(most_crossing(candidates));
+    for (const Candidate& candidate : candidates) {
+      if (candidate.estimate.duration <= best_->bound.duration || budget_.exhausted()) break;
+      consider(candidate.gate);
+    }
+    const double unhurried = gate_estimate(travellers_, best_->gate).duration;
+    if (best_->bound.duration < unhurried * (1.0 - kHurried)) refine(candidates);
+    return best_;
+  }
+
+ private:
+  /// Gates at the slices that are known and at positions spread over the obstacle, the slowest by estimate first.
+  std::vector<Candidate> all_candidates() {
+    std::vector<Slice> slices = obstacle_.slices();
+    for (int arm = 0; arm < kArmCount; ++arm) {
+      const Interval extent = obstacle_.extent(arm);
+      for (int i = 1; i < kSpread; ++i) {
+        const double position = extent.lower + extent.length() * i / kSpread;
+        for (const Interval& stretch : plane_.slice(arm, position).intervals()) {
+          slices.push_back({arm, position, stretch});
+        }
+      }
+    }
+    std::vector<Candidate> candidates;
+    for (const Slice& slice : slices) {
+      for (const bool runs_up : {false, true}) {
+        const Gate gate = gate_on(slice, runs_up);
+        if (!leads_on(plane_, gate) || obstacle_.side_of(slice, runs_up) != side_) continue;
+        candidates.push_back({gate, gate_estimate(travellers_, gate)});
+      }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.estimate.duration > b.estimate.duration; });
+    return candidates;
+  }
+
+  double consider(const Gate& gate) {
+    const GateBound bound = gate_bound(travellers_, gate);
+    if (!best_ || bound.duration > best_->bound.duration) best_ = Way{gate, bound};
+    return bound.duration;
+  }
+
+  /// The gate at which unhurried motions meet the obstacle most.
+  Gate most_crossing(const std::vector<Candidate>& candidates) {
+    Candidate most = *std::max_element(
+        candidates.begin(), candidates.end(),
+        [](const Candidate& a, const Candidate& b) { return a.estimate.crossing < b.estimate.crossing; });
+    const Gate& like = most.gate;
+    const auto crossing_at = [&](double position) {
+      double found = 0.0;
+      for (const Gate& gate : gates_at(like, position)) {
+        const GateEstimate estimate = gate_estimate(travellers_, gate);
+        if (estimate.crossing > most.estimate.crossing) most = {gate, estimate};
+        found = std::max(found, estimate.crossing);
+      }
+      return -found;
+    };
+    search(crossing_at, neighbourhood(candidates, like), kGateBits);
+    return most.gate;
+  }
+
+  /// As to the bound itself: it may be largest a little beside where unhurried motions meet.
+  void refine(const std::vector<Candidate>& candidates) {
+    const Gate like = best_->gate;
+    const auto bound_at = [&](double position) {
+      double found = 0.0;
+      for (const Gate& gate : gates_at(like, position)) found = std::max(found, consider(gate));
+      return -found;
+    };
+    search(bound_at, neighbourhood(candidates, like), kGateBits);
+  }
+
+  /// From one neighbour of a gate that runs the same way to the other.
+  Interval neighbourhood(const std::vector<Candidate>& candidates, const Gate& gate) const {
+    Interval bracket = plane_.range(gate.pinned_arm);
+    for (const Candidate& candidate : candidates) {
+      if (candidate.gate.pinned_arm != gate.pinned_arm || candidate.gate.runs_up != gate.runs_up) continue;
+      const double position = candidate.gate.pinned_position;
+      if (position < gate.pinned_position) bracket.lower = std::max(bracket.lower, position);
+      if (position > gate.pinned_position) bracket.upper = std::min(bracket.upper, position);
+    }
+    return bracket;
+  }
+
+  template <class Function>
+  void search(const Function& function, Interval bracket, int bits) const {
+    std::uintmax_t steps = kMostSteps;
+    boost::math::tools::brent_find_minima(
+        [&](double position) { return budget_.exhausted() ? 0.0 : function(position); }, bracket.lower, bracket.upper,
+        bits, steps);
+  }
+
+  /// The gates of this side that run like `gate` from a position.
+  std::vector<Gate> gates_at(const Gate& gate, double position) {
+    std::vector<Gate> gates;
+    for (const Interval& stretch : plane_.slice(gate.pinned_arm, position).intervals()) {
+      const Slice slice = {gate.pinned_arm, position, stretch};
+      const Gate there = gate_on(slice, gate.runs_up);
+      if (leads_on(plane_, there) && obstacle_.side_of(slice, gate.runs_up) == side_) gates.push_back(there);
+    }
+    return gates;
+  }
+
+  const ForbiddenPlane& plane_;
+  const Travellers& travellers_;
+  Obstacle& obstacle_;
+  int side_;
+  const Budget& budget_;
+  std::optional<Way> best_;
+};
+
+/// The ways around one obstacle and the bound of the faster one.
+PassageBound bound_of(const ForbiddenPlane& plane, const Travellers& travellers, Obstacle& obstacle,
+                      const Budget& budget) {
+  PassageBound bound = {kInfinity, {}, true};
+  for (const int side : {0, 1}) {
+    if (obstacle.is_closed(side)) continue;
+    const auto way = SideSearch(plane, travellers, obstacle, side, budget).run();
+    bound.duration = std::min(bound.duration, way ? way->bound.duration : 0.0);
+    if (way) bound.ways.push_back(*way);
+  }
+  std::stable_sort(bound.ways.begin(), bound.ways.end(),
+                   [](const Way& a, const Way& b) { return a.bound.duration < b.bound.duration; });
+  return bound;
+}
+
+}  // namespace
+
+PassageBound passage_bound(const ForbiddenPlane& plane, const Travellers& travellers, const Budget& budget) {
+  PassageBound best;
+  for (Obstacle& obstacle : obstacles_on_way(plane, travellers)) {
+    if (budget.exhausted()) break;
+    PassageBound bound = bound_of(plane, travellers, obstacle, budget);
+    if (bound.duration > best.duration || best.ways.empty()) best = std::move(bound);
+  }
+  best.is_whole = !budget.exhausted();
+  return best;
+}
+
+}  // namespace dualarm

@@ -1,0 +1,80 @@
+#include "core/passage/gate_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/core/passage/scene_travellers.h"
+#include "tests/support/problems.h"
+
+namespace dualarm {
+namespace {
+
+const double kTip = std::acos(2.0 / 3.0);  // theory.md, section 2
+
+struct WorkedRow {
+  std::array<double, 2> start;
+  std::array<double, 2> goal;
+  double bound;
+  double digits;
+};
+
+class WorkedBounds : public testing::TestWithParam<WorkedRow> {};
+
+TEST_P(WorkedBounds, AreReachedToThePrintedDigits) {
+  const WorkedRow& row = GetParam();
+  const SceneTravellers scene(paper_problem(row.start, row.goal));
+  for (const int pinned : {0, 1}) {
+    const Gate tip = {pinned, kTip, kTip, true};
+    const GateBound bound = gate_bound(scene.travellers, tip);
+    EXPECT_NEAR(bound.duration, row.bound, row.digits);
+    EXPECT_GE(gate_estimate(scene.travellers, tip).duration, bound.duration);
+    // The two extremal motions meet in the gate, and neither takes longer.
+    EXPECT_NEAR(bound.early.before + bound.late.after, bound.duration, 1e-8);
+    EXPECT_LE(bound.early.duration(), bound.duration + 1e-8);
+    EXPECT_LE(bound.late.duration(), bound.duration + 1e-8);
+  }
+}
+
+// theory.md, section 4.
+INSTANTIATE_TEST_SUITE_P(
+    Theory, WorkedBounds,
+    testing::Values(WorkedRow{{30, 60}, {60, 30}, 1.500925, 1e-6}, WorkedRow{{20, 90}, {90, 20}, 1.793744, 1e-6},
+                    WorkedRow{{20, 70}, {60, 20}, 1.79374, 1e-5}, WorkedRow{{10, 80}, {60, 15}, 1.96053, 1e-5},
+                    WorkedRow{{5, 60}, {50, 10}, 2.08796, 1e-5}, WorkedRow{{10, 40}, {40, 10}, 2.14425, 1e-5}));
+
+TEST(GateBound, IsTheSameWithTimeReversed) {
+  const SceneTravellers there(paper_problem({5, 60}, {50, 10}));
+  const SceneTravellers back(paper_problem({50, 10}, {5, 60}));
+  const Gate tip = {0, kTip, kTip, true};
+  const GateBound bound = gate_bound(there.travellers, tip);
+  const GateBound reverse = gate_bound(back.travellers, tip);
+  EXPECT_EQ(bound.early_arm, 0);
+  EXPECT_EQ(reverse.early_arm, 1);
+  EXPECT_NEAR(bound.duration, reverse.duration, 1e-9);
+}
+
+TEST(GateBound, AsksForTheDetourOnlyOfAGateOnWhichTheOtherArmStands) {
+  // Arm 2 is beyond the corner all the time; arm 1 has to come to the gate and back.
+  const SceneTravellers scene(paper_problem({20, 100}, {30, 110}));
+  const Gate gate = {0, in_radians(60.0), in_radians(80.0), true};
+  const Through through(scene.travellers[0], in_radians(60.0), Hurry::kEarlyArrival);
+  EXPECT_EQ(gate_bound(scene.travellers, gate).duration, through.least().duration());
+}
+
+TEST(GateBound, IsInfiniteWhereAnArmCannotBe) {
+  const SceneTravellers scene(paper_problem({30, 60}, {60, 30}));
+  EXPECT_TRUE(std::isinf(gate_bound(scene.travellers, {0, 3.2, 1.0, true}).duration));
+}
+
+TEST(GateBound, RunsBothWays) {
+  // The mirror image of the paper's first row below the corner: all angles negated, and gravity with them.
+  Problem problem = paper_problem({-30, -60}, {-60, -30});
+  for (Arm& arm : problem.arms) arm.joint_range = {-std::numbers::pi, 0.0};
+  const SceneTravellers scene(problem);
+  EXPECT_NEAR(gate_bound(scene.travellers, {0, -kTip, -kTip, false}).duration, 1.500925, 1e-6);
+}
+
+}  // namespace
+}  // namespace dualarm
