@@ -33,8 +33,9 @@ inline constexpr Range kFieldComponent = {-1e3, 1e3, "m/s^2"};
 inline constexpr Range kTorque = {-1e12, 1e12, "N m"};
 inline constexpr Range kStallTorque = {1e-12, 1e12, "N m"};
 inline constexpr Range kNoLoadSpeed = {1e-9, 1e6, "rad/s"};
-inline constexpr Range kMinVelocity = {-kInfinity, -1e-9, "rad/s"};
-inline constexpr Range kMaxVelocity = {1e-9, kInfinity, "rad/s"};
+/// Slower limits are reached in so short a time that positions in double precision cannot show how.
+inline constexpr Range kMinVelocity = {-kInfinity, -1e-4, "rad/s"};
+inline constexpr Range kMaxVelocity = {1e-4, kInfinity, "rad/s"};
 inline constexpr Range kVelocity = {-1e6, 1e6, "rad/s"};
 inline constexpr Range kAccelerationScale = {1e-9, 1e9, "rad/s^2"};
 inline constexpr Range kKnotPeriod = {1e-3, 10.0, "s"};
@@ -61,8 +62,9 @@ inline constexpr int kMostTableEntries = 100000;
 inline constexpr double kFastestDamping = 1e9;
 inline constexpr double kLeastTopSpeed = 1e-9;
 
-/// Most that a limit of a torque table may change with the velocity, over the inertia (1/s).
-inline constexpr double kSteepestTable = 1e8;
+/// Most that a limit of a torque table may change with the velocity, over the inertia (1/s): a drive that is faster than
+/// a millisecond is beyond what a controller plays and a plan's knots can show.
+inline constexpr double kSteepestTable = 1e3;
 
 /// Two arms with this many knots fill 4 MB, and 4 MiB is what a gRPC client takes by default.
 inline constexpr int kMostKnots = 50000;

@@ -8,11 +8,12 @@
 #include <random>
 #include <vector>
 
+#include "core/phase_plane/profile.h"
 #include "core/phase_plane/time_optimal.h"
 #include "core/systems/single_joint_arm.h"
 
 // The steering function: durations and arcs, no knots. Each row beside the plainest way to integrate the time of a
-// known motion, a fixed Gauss-Legendre rule over both of its arcs. docs/performance.md has the table.
+// known motion, a fixed Gauss-Legendre rule over its arcs. docs/performance.md has the table.
 
 namespace dualarm {
 namespace {
@@ -113,6 +114,64 @@ void VelocityLimitAnyStates(benchmark::State& state) {
   steer(state, arm, 0.8);
 }
 BENCHMARK(VelocityLimitAnyStates);
+
+/// The points of the rule along an arc of a known motion, where its velocity is known and its position with it.
+std::vector<JointState> points_on(const Profile& profile, const Arc& arc) {
+  std::vector<JointState> points;
+  for (const double abscissa : boost::math::quadrature::gauss<double, kPoints>::abscissa()) {
+    for (const double share : {0.5 * (1.0 + abscissa), 0.5 * (1.0 - abscissa)}) {
+      const double velocity = std::lerp(arc.start.velocity, arc.end.velocity, share);
+      double early = arc.start_time;
+      double late = arc.end_time;
+      for (int i = 0; i < 50; ++i) {
+        const double middle = 0.5 * (early + late);
+        const bool is_before = (profile.at(middle).velocity - velocity) * (arc.end.velocity - arc.start.velocity) < 0.0;
+        (is_before ? early : late) = middle;
+      }
+      points.push_back(profile.at(early));
+    }
+  }
+  return points;
+}
+
+/// The time of a known motion under a torque-speed line, dt = dv / a, by the same fixed rule: what is timed are the
+/// accelerations at the points.
+void PlainQuadratureOfTheTorqueSpeedLine(benchmark::State& state) {
+  Arm arm = paper_arm();
+  arm.torque = TorqueSpeedLine{60.0, 3.0};
+  const SingleJointArm system(arm);
+  struct Piece {
+    double half_gain;
+    Extreme extreme;
+    std::vector<JointState> points;
+  };
+  std::vector<std::vector<Piece>> motions;
+  for (const SteeringTask& task : tasks_with(0.0)) {
+    const auto answer = fastest_motion(system, task.start, task.goal, Swings::kSkip);
+    const Profile& profile = std::get<FastestMotion>(answer).profile;
+    std::vector<Piece>& pieces = motions.emplace_back();
+    for (const Arc& arc : profile.arcs()) {
+      const bool is_highest = (arc.kind == ArcKind::kAccelerate) == (direction_of(arc) > 0.0);
+      pieces.push_back({0.5 * (arc.end.velocity - arc.start.velocity),
+                        is_highest ? Extreme::kHighest : Extreme::kLowest, points_on(profile, arc)});
+    }
+  }
+  const auto& weights = boost::math::quadrature::gauss<double, kPoints>::weights();
+  std::size_t next = 0;
+  for (auto unused : state) {
+    double time = 0.0;
+    for (const Piece& piece : motions[next++ % kTasks]) {
+      for (std::size_t i = 0; i < piece.points.size(); ++i) {
+        const JointState& at = piece.points[i];
+        // The first abscissa is the middle, which stands twice in the list.
+        const double weight = i < 2 ? 0.5 * weights[0] : weights[i / 2];
+        time += piece.half_gain * weight / system.extreme_acceleration(piece.extreme, at.position, at.velocity);
+      }
+    }
+    benchmark::DoNotOptimize(time);
+  }
+}
+BENCHMARK(PlainQuadratureOfTheTorqueSpeedLine);
 
 void TorqueSpeedLineRestToRest(benchmark::State& state) {
   Arm arm = paper_arm();

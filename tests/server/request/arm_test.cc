@@ -77,9 +77,9 @@ TEST(ReadArm, NamesEachViolationWithItsFieldPathAndRemedy) {
       {"no velocity limit", [](auto& r) { first(r).clear_velocity_limit(); }, "robot.arms[0].velocity_limit",
        "is missing: give min_rad_per_s"},
       {"velocity zero", [](auto& r) { first(r).mutable_velocity_limit()->set_max_rad_per_s(0.0); },
-       "robot.arms[0].velocity_limit.max_rad_per_s", "is 0, must be 1e-09 to inf rad/s"},
+       "robot.arms[0].velocity_limit.max_rad_per_s", "is 0, must be 0.0001 to inf rad/s"},
       {"velocity sign", [](auto& r) { first(r).mutable_velocity_limit()->set_min_rad_per_s(1.0); },
-       "robot.arms[0].velocity_limit.min_rad_per_s", "is 1, must be -inf to -1e-09 rad/s"},
+       "robot.arms[0].velocity_limit.min_rad_per_s", "is 1, must be -inf to -0.0001 rad/s"},
   };
   for (const PlanCase& expected : cases) expect_violation(paper_request(), expected);
 }
