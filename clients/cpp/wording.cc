@@ -19,6 +19,22 @@ std::string plain(const std::string& name, const std::string& prefix, char betwe
   return text;
 }
 
+/// What the lower bound rests on.
+std::string bound_words(const Plan& plan) {
+  const Certificate& certificate = plan.certificate();
+  if (certificate.source() != LOWER_BOUND_SOURCE_PASSAGE || !certificate.has_gate()) {
+    return fmt::format("the slower arm on its own takes {}", seconds(certificate.lower_bound_s()));
+  }
+  const std::string& pinned = certificate.gate().pinned_arm();
+  std::string other = "the other arm";
+  for (const ArmTrajectory& trajectory : plan.trajectories()) {
+    if (trajectory.arm() != pinned) other = trajectory.arm();
+  }
+  return fmt::format("{} and {} have to pass each other where {} is at {} and {} at {}, which takes {}", pinned, other,
+                     pinned, degrees(certificate.gate().pinned_position_rad()), other,
+                     degrees(certificate.gate().corner_position_rad()), seconds(certificate.lower_bound_s()));
+}
+
 }  // namespace
 
 std::string words_for(Method method) { return plain(Method_Name(method), "METHOD_", '-'); }
@@ -29,14 +45,15 @@ std::string words_for(Reason reason) { return plain(Reason_Name(reason), "REASON
 
 std::string claim_sentence(const Plan& plan) {
   const Certificate& certificate = plan.certificate();
+  const std::string why = bound_words(plan);
   switch (certificate.claim()) {
     case CLAIM_OPTIMAL:
-      return "Proven optimal: no motion of any kind is faster.";
+      return fmt::format("Proven optimal: no motion of any kind is faster, because {}.", why);
     case CLAIM_OPTIMAL_MONOTONE:
       return "No motion in which each arm only moves towards its goal, or waits, is faster.";
     default:
-      return fmt::format("A faster motion may exist; this one is at most {} above the proven lower bound.",
-                         percent(certificate.gap()));
+      return fmt::format("A faster motion may exist; this one is at most {} above the proven lower bound: {}.",
+                         percent(certificate.gap()), why);
   }
 }
 

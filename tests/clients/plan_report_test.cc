@@ -31,6 +31,21 @@ TEST(PlanReport, OfAPlanSaysWhenEachArmMovesAndWhatIsProven) {
   EXPECT_THAT(report, Not(HasSubstr("BROKEN")));
 }
 
+TEST(PlanReport, ExplainsWhatTheLowerBoundRestsOn) {
+  auto response = sample_plan();
+  auto& certificate = *response.mutable_plan()->mutable_certificate();
+  EXPECT_THAT(plan_report("two_arms", response),
+              HasSubstr("lower bound: the slower arm on its own takes 2.500000 s.\n"));
+  certificate.set_claim(planning::v1::CLAIM_OPTIMAL);
+  certificate.set_source(planning::v1::LOWER_BOUND_SOURCE_PASSAGE);
+  certificate.mutable_gate()->set_pinned_arm("<right>");
+  certificate.mutable_gate()->set_pinned_position_rad(0.5);
+  certificate.mutable_gate()->set_corner_position_rad(1.0);
+  EXPECT_THAT(plan_report("two_arms", response),
+              HasSubstr("no motion of any kind is faster, because <right> and left have to pass each other where "
+                        "<right> is at 28.65 deg and left at 57.30 deg, which takes 2.500000 s.\n"));
+}
+
 TEST(PlanReport, NamesSafeDelaysAndBrokenDemands) {
   auto response = sample_plan();
   auto& delay = *response.mutable_plan()->mutable_certificate()->add_safe_start_delays_s();
