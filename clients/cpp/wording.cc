@@ -23,7 +23,7 @@ std::string plain(const std::string& name, const std::string& prefix, char betwe
 std::string bound_words(const Plan& plan) {
   const Certificate& certificate = plan.certificate();
   if (certificate.source() != LOWER_BOUND_SOURCE_PASSAGE || !certificate.has_gate()) {
-    return fmt::format("the slower arm on its own takes {}", seconds(certificate.lower_bound_s()));
+    return fmt::format("the slower arm on its own takes at least {}", seconds(certificate.lower_bound_s()));
   }
   const std::string& pinned = certificate.gate().pinned_arm();
   std::string other = "the other arm";

@@ -42,6 +42,9 @@ constexpr double kOwnStepTolerance = 1e-4;
 /// comes to rest in finite time passes such speeds within a step, and stands a rounding from its end.
 constexpr double kCreep = 1e-9;
 
+/// Part of the first step below which no step is doubted: the time of the strongest drives is not shorter.
+constexpr double kLeastDoubt = 1e-9;
+
 /// By how much, relative to the way and to the highest speed on it, a step and its two halves may differ: some
 /// roundings.
 constexpr double kHalvesTolerance = 2e-14;
@@ -99,8 +102,8 @@ Trace::Trace(const System& system, Extreme extreme, JointState from, double time
     // Next to a bend, and where a step is long for the drive, its stages may agree with each other and not with the
     // arc.
     const bool is_doubtful = nodes_.size() == 2 || node.at_bend || looks_over_bend(node, whole);
-    if (is_doubtful && !halves_agree(way, speed) && step > least) {
-      step = std::max(least, 0.5 * std::abs(nodes_.back().time - node.time));
+    if (is_doubtful && step > kLeastDoubt * first && !halves_agree(way, speed)) {
+      step = 0.5 * std::min(step, std::max(std::abs(nodes_.back().time - node.time), kLeastDoubt * first));
       nodes_.pop_back();
       stop_ = Stop::kArrived;
       continue;

@@ -94,6 +94,20 @@ double Quintic::derivative(int order, double time) const {
   return value;
 }
 
+std::array<double, 6> Quintic::in_the_middle() const {
+  // Horner's scheme again and again: the coefficients of powers of the way from the middle.
+  std::array<double, 6> shifted = coefficients_;
+  for (int first = 0; first < 5; ++first) {
+    for (int power = 4; power >= first; --power) shifted[power] += 0.5 * shifted[power + 1];
+  }
+  double factor = 1.0;
+  for (int order = 1; order <= 5; ++order) {
+    factor *= order / duration_;
+    shifted[order] *= factor;
+  }
+  return shifted;
+}
+
 Interpolant::Interpolant(const std::vector<Knot>& knots)
     : start_{knots.front().position, knots.front().velocity}, end_{knots.back().position, knots.back().velocity} {
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {

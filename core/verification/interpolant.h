@@ -23,6 +23,9 @@ class Quintic {
   /// Derivative with respect to time of an order from 0 to 5 (rad/s^order) at a time (s), clamped to the piece.
   double derivative(int order, double time) const;
 
+  /// All derivatives of order 0 to 5 (rad/s^order) in the middle of the piece.
+  std::array<double, 6> in_the_middle() const;
+
   /// Upper bound on the magnitude of a derivative, order 1 to 5, over the whole piece.
   double most(int order) const { return most_[order]; }
 

@@ -36,6 +36,12 @@ class JointTorque {
     return inertia_ * piece.acceleration_rounding() + friction_ * piece.velocity_rounding();
   }
 
+  /// An interval (N m) that contains the torque over all of a piece of motion: by the Taylor polynomial of degree four
+  /// in the middle, the remainder that the bounds on the derivatives leave, and the polynomial's Bernstein
+  /// coefficients. Where the torque is constant while inertia and gravity change against each other, it is tight to
+  /// rounding and to the fifth power of the piece's length.
+  Interval over(const Quintic& piece) const;
+
   /// N m, along a piece of motion. The curvature bound is tight on fastest motions, where the torque is constant while
   /// inertia, gravity and friction change against each other: it takes their sum in the middle of an interval, exactly,
   /// and adds the largest change from there by the third derivative.

@@ -92,6 +92,7 @@ class TorqueLimitSearch {
 
   void visit(const Quintic& piece, double rounding) {
     if (changing_) return changing_->visit(piece, rounding);
+    if (constant_->visit_range(torque_.over(piece), rounding)) return;
     Quantity along = torque_.along(piece);
     along.rounding = rounding;
     constant_->visit(along, piece.time());

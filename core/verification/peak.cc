@@ -42,6 +42,13 @@ void PeakSearch::visit(double time, double value) {
   proven_ = std::max(proven_, share);
 }
 
+bool PeakSearch::visit_range(Interval values, double rounding) {
+  const double bound = std::max(share_.of(values.upper, rounding), share_.of(values.lower, rounding));
+  if (!is_close(bound)) return false;
+  proven_ = std::max(proven_, bound);
+  return true;
+}
+
 void PeakSearch::visit(const Quantity& quantity, Interval time) {
   search(quantity, time, quantity.value(time.lower), quantity.value(time.upper), 0);
 }
@@ -51,8 +58,7 @@ void PeakSearch::search(const Quantity& quantity, Interval time, double start, d
   const double highest = share_.of(std::max(start, end) + departure, quantity.rounding);
   const double lowest = share_.of(std::min(start, end) - departure, quantity.rounding);
   const double bound = std::max(highest, lowest);
-  const bool is_close = bound <= attained_ + slack_ * std::max(1.0, attained_);
-  if (is_close || halvings >= kMostHalvings || attained_ > kHopelessShare) {
+  if (is_close(bound) || halvings >= kMostHalvings || attained_ > kHopelessShare) {
     proven_ = std::max(proven_, bound);
     return;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 
 #include "geometry/interval.h"
@@ -48,6 +49,9 @@ class PeakSearch {
   /// A value that is taken at a time.
   void visit(double time, double value);
 
+  /// Whether values that a quantity stays within, but for `rounding`, are proof enough: then they are visited.
+  bool visit_range(Interval values, double rounding);
+
   /// All that the quantity does during an interval of time.
   void visit(const Quantity& quantity, Interval time);
 
@@ -57,6 +61,7 @@ class PeakSearch {
 
  private:
   void search(const Quantity& quantity, Interval time, double start, double end, int halvings);
+  bool is_close(double bound) const { return bound <= attained_ + slack_ * std::max(1.0, attained_); }
   void attain(double time, double value, double share);
 
   Share share_;

@@ -35,7 +35,7 @@ TEST(PlanReport, ExplainsWhatTheLowerBoundRestsOn) {
   auto response = sample_plan();
   auto& certificate = *response.mutable_plan()->mutable_certificate();
   EXPECT_THAT(plan_report("two_arms", response),
-              HasSubstr("lower bound: the slower arm on its own takes 2.500000 s.\n"));
+              HasSubstr("lower bound: the slower arm on its own takes at least 2.500000 s.\n"));
   certificate.set_claim(planning::v1::CLAIM_OPTIMAL);
   certificate.set_source(planning::v1::LOWER_BOUND_SOURCE_PASSAGE);
   certificate.mutable_gate()->set_pinned_arm("<right>");

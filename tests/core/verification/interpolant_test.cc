@@ -37,6 +37,14 @@ TEST(Quintic, ReproducesEveryPolynomialOfDegreeFive) {
   }
 }
 
+TEST(Quintic, KnowsAllDerivativesInItsMiddle) {
+  const Quintic piece({3.0, 0.1, 0.2, 0.3, 0.0}, {3.8, 0.5, -0.4, 1.0, 0.0});
+  const auto middle = piece.in_the_middle();
+  for (int order = 0; order <= 5; ++order) {
+    EXPECT_NEAR(middle[order], piece.derivative(order, 3.4), 1e-12 * (1.0 + piece.most(std::max(order, 1))));
+  }
+}
+
 TEST(Quintic, BoundsAreAboveEveryDerivative) {
   std::mt19937_64 generator(4);
   std::uniform_real_distribution<double> number(-2.0, 2.0);
