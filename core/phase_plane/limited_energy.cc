@@ -14,7 +14,7 @@ namespace {
 /// the limit's energy is granted, which is never too little.
 constexpr double kRoom = 2.0 * std::numbers::pi;
 /// Pieces after which a walk proves nothing.
-constexpr int kMostPieces = 500;
+constexpr int kMostPieces = 24;
 /// What energies may be wrong by, (rad/s)2 and, where arcs are integrated, relative to the limit's.
 constexpr double kWorkRounding = 1e-12;
 constexpr double kTraceError = 1e-8;
