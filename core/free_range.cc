@@ -33,4 +33,12 @@ FreeRange free_range(const Problem& problem, int arm, double clearance) {
   return free;
 }
 
+Problem within_free_ranges(Problem problem, double clearance) {
+  const Interval first = free_range(problem, 0, clearance).range;
+  const Interval second = free_range(problem, 1, clearance).range;
+  problem.arms[0].joint_range = first;
+  problem.arms[1].joint_range = second;
+  return problem;
+}
+
 }  // namespace dualarm

@@ -21,4 +21,7 @@ struct FreeRange {
 /// refuse_sweeps gives the answer for that.
 FreeRange free_range(const Problem& problem, int arm, double clearance);
 
+/// The problem with both arms' free ranges as their joint ranges.
+Problem within_free_ranges(Problem problem, double clearance);
+
 }  // namespace dualarm

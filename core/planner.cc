@@ -4,8 +4,7 @@
 #include <chrono>
 #include <limits>
 
-#include "core/coordination/diagram.h"
-#include "core/coordination/start_times.h"
+#include "core/certify.h"
 #include "core/fallback/state_time_planner.h"
 #include "core/free_range.h"
 #include "core/passage/passage_plan.h"
@@ -13,6 +12,7 @@
 #include "core/phase_plane/time_optimal.h"
 #include "core/refusal.h"
 #include "core/refuse_blocked.h"
+#include "core/start_choice.h"
 #include "core/systems/playback.h"
 #include "core/wording.h"
 
@@ -30,7 +30,7 @@ constexpr double kFastestMotionShare = 0.5;
 constexpr std::chrono::milliseconds kVerificationGrace(250);
 /// Most knot periods a plan may last: what is sent stays below the 50,000 knots an arm that a message may hold.
 constexpr double kMostKnots = 49000.0;
-/// A plan this close to its lower bound, relative, is at it: rounding of quadratures and sums.
+/// A duration this close to a bound, relative, is at it: rounding of quadratures and sums.
 constexpr double kAtBound = 1e-9;
 
 double seconds_since(Budget::Clock::time_point start) {
@@ -43,13 +43,6 @@ bool is_at_rest(const Task& task) { return task.start.velocity == 0.0 && task.go
 SingleJointArm system_within(Arm arm, const FreeRange& free) {
   arm.joint_range = free.range;
   return SingleJointArm(arm);
-}
-
-/// The problem with the stretches that fixed objects leave at a clearance as joint ranges.
-Problem within_free_ranges(Problem problem, double clearance) {
-  const std::array ranges = {free_range(problem, 0, clearance).range, free_range(problem, 1, clearance).range};
-  for (int i = 0; i < kArmCount; ++i) problem.arms[i].joint_range = ranges[i];
-  return problem;
 }
 
 /// One planning run: its problem, what was found out so far, and what it cost.
@@ -122,13 +115,12 @@ class Run {
       if (auto found = pass(times ? times->duration : std::numeric_limits<double>::infinity())) return found;
     }
     if (times) {
-      const Method method = times->first + times->second > 0.0 ? waiting_method() : simultaneous_method();
-      return verified(method, times->duration,
+      return verified(method_of(*times), times->duration,
                       {std::vector{TimedProfile{times->first, fastest_[0].profile}},
                        {TimedProfile{times->second, fastest_[1].profile}}});
     }
     // Other motions than the fastest might take turns, but the methods that are allowed know none.
-    if (has_delays_ && !knows_more_than_delays() && rests_at_ends() && !was_searched()) {
+    if (has_delays_ && !has_moving_objects_ && !knows_more_than_delays() && rests_at_ends() && !was_searched()) {
       return refuse_delays(problem_, safe_delays_);
     }
     return std::nullopt;
@@ -136,40 +128,22 @@ class Run {
 
   /// When the fastest motions begin, with the best delay that is allowed.
   std::optional<StartTimes> best_delay() {
-    const Profile& first = fastest_[0].profile;
-    const Profile& second = fastest_[1].profile;
-    const Timing first_timing = timing_of(first);
-    const Timing second_timing = timing_of(second);
-    const Interval possible = possible_delays(first_timing, second_timing);
-    if (possible.empty()) {
-      tried_.push_back(why_stretch(first.duration(), second.duration()));
-      return std::nullopt;
-    }
-    const auto forbidden = forbidden_delays(forbidden_, first, second, budget_);
-    if (!forbidden) {
-      tried_.push_back("start delays: the budget ran out");
-      return std::nullopt;
-    }
-    has_delays_ = true;
-    safe_delays_ = forbidden->complement(possible);
-    const PlanOptions& options = problem_.options;
-    const double longest = options.allows(Method::kDelay) || options.allows(Method::kPassage) ? options.max_start_delay
-                           : options.allows(Method::kSimultaneous)                            ? 0.0
-                                                                                              : -1.0;
-    const auto times = best_start_times(safe_delays_, first_timing, second_timing, longest);
-    if (!times) {
-      std::string line = "start delays: none that is allowed avoids a collision of the fastest motions";
-      if (!rests_at_ends())
-        line += "; arms in motion at their start cannot wait, those in motion at their goal not be early";
-      tried_.push_back(line);
-    }
-    return times;
+    const StartChoice choice = starts_of(fastest_[0].profile, fastest_[1].profile);
+    has_delays_ = choice.safe_delays.has_value();
+    if (choice.safe_delays) safe_delays_ = *choice.safe_delays;
+    if (!choice.times) tried_.push_back(choice.why_not);
+    return choice.times;
+  }
+
+  StartChoice starts_of(const Profile& first, const Profile& second) const {
+    return choose_starts(problem_, forbidden_, clearance(), first, second, budget_);
   }
 
   /// Delays are the simplest motions through a passage.
-  Method waiting_method() const { return problem_.options.allows(Method::kDelay) ? Method::kDelay : Method::kPassage; }
-  Method simultaneous_method() const {
-    return problem_.options.allows(Method::kSimultaneous) ? Method::kSimultaneous : waiting_method();
+  Method method_of(const StartTimes& times) const {
+    const bool waits = times.first + times.second > 0.0;
+    if (!waits && problem_.options.allows(Method::kSimultaneous)) return Method::kSimultaneous;
+    return problem_.options.allows(Method::kDelay) ? Method::kDelay : Method::kPassage;
   }
   bool knows_more_than_delays() const { return search_is_allowed() || problem_.options.allows(Method::kPassage); }
 
@@ -183,7 +157,9 @@ class Run {
     const Problem free = within_free_ranges(problem_, demanded);
     is_parted_ = std::isinf(passage_.duration) &&
                  std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget_).duration);
-    if (std::isfinite(passage_.duration)) proof_ = passage_proof(free, demanded, passage_.duration, budget_);
+    if (std::isfinite(passage_.duration)) {
+      proof_ = passage_proof(free, demanded, passage_.duration, budget_, passage_.ways);
+    }
   }
 
   Traveller traveller(int arm) const {
@@ -202,7 +178,7 @@ class Run {
     std::optional<PassagePlan> best;
     for (const Way& way : passage_.ways) {
       auto found = passage_plan(forbidden_, *travellers_, way, least, known, problem_.options.max_start_delay, budget_);
-      if (!found) continue;
+      if (!found || !gives_way_to_objects(*found, known)) continue;
       best = std::move(found);
       known = best->times.duration;
     }
@@ -211,30 +187,29 @@ class Run {
     return std::nullopt;
   }
 
+  /// Moving objects may ask for other start times, or leave none: false if the plan takes `known` (s) or more then.
+  bool gives_way_to_objects(PassagePlan& plan, double known) const {
+    if (!has_moving_objects_) return true;
+    const StartChoice choice = starts_of(plan.motions[0], plan.motions[1]);
+    if (choice.times) plan.times = *choice.times;
+    return choice.times && choice.times->duration < known;
+  }
+
   /// The extremal motions through the fastest way, if they are free. Verification tells that faster than a search.
   std::optional<Answer> pass_extremally() {
     const double least = std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration());
     const auto extremal = extremal_plan(*travellers_, passage_.ways.front(), least, problem_.options.max_start_delay);
-    if (!extremal || budget_.exhausted()) return std::nullopt;
+    if (!extremal || has_moving_objects_ || budget_.exhausted()) return std::nullopt;
     const std::size_t tried = tried_.size();
-    auto found = verified(*extremal);
-    if (!found) tried_.resize(tried);
-    return found;
+    if (auto found = verified(*extremal)) return found;
+    tried_.resize(tried);
+    return std::nullopt;
   }
 
   std::optional<Answer> verified(const PassagePlan& plan) {
     return verified(Method::kPassage, plan.times.duration,
                     {std::vector{TimedProfile{plan.times.first, plan.motions[0]}},
                      {TimedProfile{plan.times.second, plan.motions[1]}}});
-  }
-
-  /// An arm that can neither wait nor be early, and would have to be slower than its fastest motion.
-  std::string why_stretch(double first_duration, double second_duration) const {
-    const int shorter = first_duration < second_duration ? 0 : 1;
-    return worded("start delays: ", arms_[shorter].name, " is in motion at its start and at its goal, so that its ",
-                  std::min(first_duration, second_duration), " s would have to be stretched to the ",
-                  std::max(first_duration, second_duration), " s of ", arms_[1 - shorter].name,
-                  "; fastest motions are never stretched");
   }
 
   bool rests_at_ends() const {
@@ -289,8 +264,7 @@ class Run {
       tried_.push_back("the schedule found has an arm wait longer than the largest start delay allowed");
       return std::nullopt;
     }
-    const auto start = Budget::Clock::now();
-    // A search may have used up the budget; proving what it found takes milliseconds.
+    const auto start = Budget::Clock::now();  // A search may have used up the budget; proving takes milliseconds.
     plan.verification = verify(problem_, plan.trajectory, budget_.with_grace(kVerificationGrace));
     statistics_.verification_seconds += seconds_since(start);
     statistics_.distance_query_count += plan.verification.distance_query_count;
@@ -303,20 +277,8 @@ class Run {
   }
 
   Certificate certificate(Method method, double duration) const {
-    Certificate certificate;
-    certificate.lower_bound = lower_bound_;
-    if (proof_.duration > lower_bound_ && proof_.gate) {
-      certificate.lower_bound = proof_.duration;
-      certificate.source = LowerBoundSource::kPassage;
-      certificate.gate = proof_.gate;
-    }
-    certificate.gap = duration > 0.0 ? std::max(0.0, duration / certificate.lower_bound - 1.0) : 0.0;
+    Certificate certificate = certify(duration, {lower_bound_, monotone_bound(), proof_, margin_proof_});
     if (method == Method::kSimultaneous || method == Method::kDelay) certificate.safe_start_delays = safe_delays_;
-    if (duration <= std::max(certificate.lower_bound, margin_proof_.duration) * (1.0 + kAtBound)) {
-      certificate.claim = Claim::kOptimal;
-    } else if (duration <= monotone_bound() * (1.0 + kAtBound)) {
-      certificate.claim = Claim::kOptimalMonotone;
-    }
     return certificate;
   }
 
@@ -354,7 +316,8 @@ class Run {
   PassageProof margin_proof_;  ///< what is proven of it
   PassageProof proof_;         ///< at the demanded clearance
   bool is_parted_ = false;     ///< no path leads from the start to the goal
-  bool has_delays_ = false;    ///< whether safe_delays_ is known
+  bool has_moving_objects_ = !tracked_bodies(problem_).empty();
+  bool has_delays_ = false;  ///< whether safe_delays_ is known
   IntervalSet safe_delays_;
   std::vector<std::string> tried_;
   std::string remedy_ =

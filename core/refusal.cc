@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/coordination/forbidden_set.h"
 #include "core/wording.h"
+#include "geometry/chain.h"
 #include "geometry/clearance.h"
+#include "geometry/motion_bound.h"
+#include "geometry/support.h"
 
 namespace dualarm {
 namespace {
@@ -17,29 +21,51 @@ struct PlacedPair {
   bool at_goal = false;
 };
 
-std::vector<Body> placed_bodies(const Problem& problem, int arm, bool at_goal) {
-  const Task& task = problem.tasks[arm];
-  const Eigen::Isometry3d pose = link_pose(problem.arms[arm].base, at_goal ? task.goal.position : task.start.position);
-  std::vector<Body> bodies = moving_bodies(problem, arm);
-  for (Body& body : bodies) body.shape = placed(body.shape, pose);
-  return bodies;
+/// A body in the world with the ball around it: FCL is only asked about what could be the closest.
+struct PlacedBody {
+  const Body* body;
+  Shape shape;
+  Eigen::Vector3d middle;
+  double radius;  ///< m
+};
+
+std::vector<PlacedBody> placed_bodies(const std::vector<Body>& bodies, const Eigen::Isometry3d& pose) {
+  std::vector<PlacedBody> all;
+  all.reserve(bodies.size());
+  for (const Body& body : bodies) {
+    Shape shape = placed(body.shape, pose);
+    const Eigen::Vector3d middle = centre(shape);
+    all.push_back({&body, std::move(shape), middle, bounding_radius(body.shape)});
+  }
+  return all;
 }
 
 /// The closest two bodies that must not meet, of start and goal.
 std::optional<PlacedPair> closest_pair(const Problem& problem) {
-  const std::vector<Body> fixed = fixed_bodies(problem);
+  const std::array<std::vector<Body>, kArmCount> moving = {moving_bodies(problem, 0), moving_bodies(problem, 1)};
+  const std::vector<Body> standing = fixed_bodies(problem);
+  const std::vector<PlacedBody> fixed = placed_bodies(standing, Eigen::Isometry3d::Identity());
   std::optional<PlacedPair> closest;
   for (const bool at_goal : {false, true}) {
-    const auto consider = [&](const std::vector<Body>& some, const std::vector<Body>& others) {
-      for (const Body& first : some) {
-        for (const Body& second : others) {
+    const auto consider = [&](const std::vector<PlacedBody>& some, const std::vector<PlacedBody>& others) {
+      for (const PlacedBody& first : some) {
+        for (const PlacedBody& second : others) {
+          const double at_least = distance_to_ball(first.shape, second.middle, second.radius);
+          if (closest && at_least > closest->distance) continue;
           const double distance = clearance(first.shape, second.shape).distance;
-          if (!closest || distance < closest->distance) closest = {first.name, second.name, distance, at_goal};
+          if (!closest || distance < closest->distance) {
+            closest = {first.body->name, second.body->name, distance, at_goal};
+          }
         }
       }
     };
-    const std::vector<Body> of_first = placed_bodies(problem, 0, at_goal);
-    const std::vector<Body> of_second = placed_bodies(problem, 1, at_goal);
+    const auto placed_arm = [&](int arm) {
+      const Task& task = problem.tasks[arm];
+      return placed_bodies(moving[arm],
+                           link_pose(problem.arms[arm].base, at_goal ? task.goal.position : task.start.position));
+    };
+    const std::vector<PlacedBody> of_first = placed_arm(0);
+    const std::vector<PlacedBody> of_second = placed_arm(1);
     consider(of_first, of_second);
     consider(of_first, fixed);
     consider(of_second, fixed);
@@ -96,6 +122,7 @@ std::optional<Infeasible> refuse_sweeps(const Problem& problem, double margin) {
     const auto [low, high] = std::minmax({problem.tasks[i].start.position, problem.tasks[i].goal.position});
     for (const Body& moving : moving_bodies(problem, i)) {
       for (const Body& standing : fixed) {
+        if (swept_gap(problem.arms[i].base, moving.shape, standing.shape) > demanded + margin) continue;
         const IntervalSet blocked =
             blocked_positions(problem.arms[i].base, moving.shape, standing.shape, demanded + margin, {low, high});
         if (blocked.empty()) continue;

@@ -30,8 +30,8 @@ constexpr double kErrorPerLength = 4e-8;
 // GJK stops when a step gains less than this, of the size of the scene. FCL's own 1e-6 costs up to 3.5e-2 m.
 constexpr double kGjkTolerance = 1e-12;
 
-// How far FCL's distance of a scene about one metre in size may be above what is proven about it: more than rounding,
-// less than anybody will notice.
+// How far FCL's distance may be above what is proven about it, m per m of the scene: more than rounding, less than
+// anybody will notice.
 constexpr double kProvenGap = 1e-10;
 
 // m. Rounding of coordinates of up to 10 km in the plane that proves a distance (some 1e-11 m), with room to spare.
@@ -39,6 +39,9 @@ constexpr double kFloorOfRounding = 1e-9;
 
 // m per m of either body, the same for its size.
 constexpr double kRoundingPerLength = 1e-14;
+
+// m. What rounding of such coordinates moves the ends of a cylinder's axis, both together. A wafer leans with it.
+constexpr double kRoundingOfAxis = 1e-11;
 
 double axis_length(const Capsule& capsule) { return (capsule.end - capsule.start).norm(); }
 
@@ -66,24 +69,22 @@ Core core_of(const Shape& shape) { return std::visit(CoreOf{}, shape); }
 
 const Capsule* axis_of(const Core& core) { return std::get_if<Capsule>(&core.shape); }
 
-/// Seen from `origin`, `scale` times as large.
-Shape scaled(const Shape& shape, const Eigen::Vector3d& origin, double scale) {
-  struct Scaled {
+/// Seen from `origin`.
+Shape shifted(const Shape& shape, const Eigen::Vector3d& origin) {
+  struct Shifted {
     const Eigen::Vector3d& origin;
-    double scale;
     Shape operator()(const Capsule& capsule) const {
-      return Capsule{scale * (capsule.start - origin), scale * (capsule.end - origin), 0.0};
+      return Capsule{capsule.start - origin, capsule.end - origin, capsule.radius};
     }
     Shape operator()(Box box) const {
-      box.pose.translation() = scale * (box.pose.translation() - origin);
-      box.half_extents *= scale;
+      box.pose.translation() -= origin;
       return box;
     }
     Shape operator()(const Cylinder& cylinder) const {
-      return Cylinder{scale * (cylinder.start - origin), scale * (cylinder.end - origin), scale * cylinder.radius};
+      return Cylinder{cylinder.start - origin, cylinder.end - origin, cylinder.radius};
     }
   };
-  return std::visit(Scaled{origin, scale}, shape);
+  return std::visit(Shifted{origin}, shape);
 }
 
 /// FCL's shapes lie centred in their own frame, along z if they have an axis; lengths do not count round caps.
@@ -107,17 +108,24 @@ fcl::Transform3d pose_of_axis(const Eigen::Vector3d& start, const Eigen::Vector3
   return pose;
 }
 
+/// `scale` times as large.
 struct ToFcl {
+  double scale = 1.0;
+
   FclBody operator()(const Capsule& capsule) const {
-    const double length = axis_length(capsule);
-    const fcl::Transform3d pose = pose_of_axis(capsule.start, capsule.end);
-    if (length == 0.0) return {fcl::Sphered(capsule.radius), pose};
-    return {fcl::Capsuled(capsule.radius, length), pose};
+    const double length = scale * axis_length(capsule);
+    const fcl::Transform3d pose = pose_of_axis(scale * capsule.start, scale * capsule.end);
+    if (length == 0.0) return {fcl::Sphered(scale * capsule.radius), pose};
+    return {fcl::Capsuled(scale * capsule.radius, length), pose};
   }
-  FclBody operator()(const Box& box) const { return {fcl::Boxd(Eigen::Vector3d(2.0 * box.half_extents)), box.pose}; }
+  FclBody operator()(const Box& box) const {
+    fcl::Transform3d pose = box.pose;
+    pose.translation() *= scale;
+    return {fcl::Boxd(Eigen::Vector3d(2.0 * scale * box.half_extents)), pose};
+  }
   FclBody operator()(const Cylinder& cylinder) const {
-    return {fcl::Cylinderd(cylinder.radius, (cylinder.end - cylinder.start).norm()),
-            pose_of_axis(cylinder.start, cylinder.end)};
+    return {fcl::Cylinderd(scale * cylinder.radius, scale * (cylinder.end - cylinder.start).norm()),
+            pose_of_axis(scale * cylinder.start, scale * cylinder.end)};
   }
 };
 
@@ -133,38 +141,45 @@ Clearance ask_fcl(const FclBody& first, const FclBody& second) {
   return {result.min_distance, result.nearest_points[0], result.nearest_points[1]};
 }
 
-/// Nearest points of two cores about one metre in size. FCL's are taken where a plane across them proves their
-/// distance.
+/// A power of two (m), so that scaling by it rounds nothing, about the size of the scene seen from the first's centre.
+double scene_size(const Shape& first, const Shape& second) {
+  const double size = bounding_radius(first) + bounding_radius(second) + (centre(first) - centre(second)).norm();
+  return std::exp2(std::ceil(std::log2(size)));
+}
+
+/// Nearest points of two cores near the origin. FCL's, which it finds in a scene of one metre because of its absolute
+/// thresholds, are taken where a plane across them proves their distance.
 NearestPoints proven_points(const Shape& first, const Shape& second) {
-  const Clearance found = ask_fcl(std::visit(ToFcl{}, first), std::visit(ToFcl{}, second));
+  const double size = scene_size(first, second);
+  const ToFcl to_fcl = {1.0 / size};
+  const Clearance found = ask_fcl(std::visit(to_fcl, first), std::visit(to_fcl, second));
+  const double distance = size * found.distance;
   Eigen::Vector3d across = found.point_on_first - found.point_on_second;
-  if (found.distance > 0.0 && across.norm() > 0.0) {
+  if (distance > 0.0 && across.norm() > 0.0) {
     const double proven = separation(first, second, across);
-    if (found.distance - proven <= kProvenGap) {
-      return {found.point_on_first, found.point_on_second, std::min(found.distance, proven)};
+    if (distance - proven <= kProvenGap * size) {
+      return {size * found.point_on_first, size * found.point_on_second, std::min(distance, proven)};
     }
   } else {
     across = centre(first) - centre(second);
   }
-  return nearest_points(first, second, across.norm() > 0.0 ? across : Eigen::Vector3d::UnitX());
-}
-
-/// A power of two, so that scaling rounds nothing, that makes the scene about one metre in size: libccd has absolute
-/// thresholds.
-double scale_to_one(const Shape& first, const Shape& second) {
-  const double size = bounding_radius(first) + bounding_radius(second) + (centre(first) - centre(second)).norm();
-  return std::exp2(-std::ceil(std::log2(size)));
+  return nearest_points(first, second, across.norm() > 0.0 ? across : Eigen::Vector3d::UnitX(), size);
 }
 
 Clearance clearance_of_cores(const Core& first, const Core& second) {
   const Eigen::Vector3d origin = centre(first.shape);
-  const double scale = scale_to_one(first.shape, second.shape);
-  const NearestPoints found = proven_points(scaled(first.shape, origin, scale), scaled(second.shape, origin, scale));
+  const NearestPoints found = proven_points(shifted(first.shape, origin), shifted(second.shape, origin));
   const Eigen::Vector3d across = found.on_first - found.on_second;
   const Eigen::Vector3d normal = across.norm() > 0.0 ? across.normalized() : across;
-  return {found.lower_bound / scale - first.radius - second.radius,
-          origin + found.on_first / scale - first.radius * normal,
-          origin + found.on_second / scale + second.radius * normal};
+  return {found.lower_bound - first.radius - second.radius, origin + found.on_first - first.radius * normal,
+          origin + found.on_second + second.radius * normal};
+}
+
+/// How far (m) rounding of its axis moves the rim of a cylinder.
+double rounding_of_rim(const Shape& core) {
+  const auto* cylinder = std::get_if<Cylinder>(&core);
+  if (cylinder == nullptr) return 0.0;
+  return kRoundingOfAxis * cylinder->radius / (cylinder->end - cylinder->start).norm();
 }
 
 }  // namespace
@@ -172,7 +187,7 @@ Clearance clearance_of_cores(const Core& first, const Core& second) {
 Clearance clearance(const Capsule& first, const Capsule& second) {
   const auto without_speck = [](const Capsule& capsule) -> FclBody {
     const double length = axis_length(capsule);
-    if (length >= kShortestAxis) return ToFcl{}(capsule);
+    if (length >= kShortestAxis) return ToFcl()(capsule);
     const Eigen::Vector3d middle = 0.5 * (capsule.start + capsule.end);
     return {fcl::Capsuled(capsule.radius, 0.0), pose_of_axis(middle, middle)};
   };
@@ -191,7 +206,8 @@ double clearance_error(const Shape& first, const Shape& second) {
   const Core a = core_of(first);
   const Core b = core_of(second);
   if (axis_of(a) == nullptr || axis_of(b) == nullptr) {
-    return kFloorOfRounding + kRoundingPerLength * (bounding_radius(first) + bounding_radius(second));
+    return kFloorOfRounding + kRoundingPerLength * (bounding_radius(first) + bounding_radius(second)) +
+           rounding_of_rim(a.shape) + rounding_of_rim(b.shape);
   }
   return kFloorOfError + kErrorPerLength * std::max(axis_length(*axis_of(a)), axis_length(*axis_of(b)));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace dualarm {
@@ -29,56 +30,71 @@ bool cross_each_other(const Segment& a, const Segment& b) {
   return b_on_both_sides && a_on_both_sides;
 }
 
-Segment turned(const Segment& segment, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  const auto turn = [&](const Eigen::Vector2d& p) {
-    return Eigen::Vector2d(c * p.x() - s * p.y(), s * p.x() + c * p.y());
-  };
-  return {turn(segment.start), turn(segment.end)};
+/// A segment has one edge, what has an inside as many as corners.
+int edge_count(const Outline& outline) { return outline.count < 3 ? outline.count - 1 : outline.count; }
+
+Segment edge(const Outline& outline, int index) {
+  return {outline.corners[index], outline.corners[(index + 1) % outline.count]};
 }
 
-/// Collects centre - offset and centre + offset for cos(offset) = cosine, where that exists.
-class Candidates {
+/// Whether a point lies in what has an inside.
+bool contains(const Outline& outline, const Eigen::Vector2d& point) {
+  if (outline.count < 3) return false;
+  for (int i = 0; i < outline.count; ++i) {
+    const Segment side = edge(outline, i);
+    if (cross(side.end - side.start, point - side.start) < 0.0) return false;
+  }
+  return true;
+}
+
+double point_distance(const Eigen::Vector2d& point, const Outline& outline) {
+  if (contains(outline, point)) return 0.0;
+  if (outline.count == 1) return (point - outline.corners[0]).norm();
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < edge_count(outline); ++i) least = std::min(least, point_distance(point, edge(outline, i)));
+  return least;
+}
+
+double largest_radius(const Outline& outline) {
+  double largest = 0.0;
+  for (int i = 0; i < outline.count; ++i) largest = std::max(largest, outline.corners[i].norm());
+  return largest;
+}
+
+Outline turned(Outline outline, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  for (int i = 0; i < outline.count; ++i) {
+    const Eigen::Vector2d p = outline.corners[i];
+    outline.corners[i] = {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
+  }
+  return outline;
+}
+
+/// Part of the size of a scene by which a contact may lie beyond the end of its flank or cap and still count: more than
+/// rounding. One too many costs a test, one too few the truth.
+constexpr double kBeyondEnd = 1e-9;
+
+/// The angles by which a corner has to be turned about the origin to come to lie at a distance from an outline, each a
+/// contact with a flank or with the cap around a corner.
+class Contacts {
  public:
-  void add(double centre, double cosine) {
-    if (!(std::abs(cosine) <= 1.0)) return;
-    const double offset = std::acos(cosine);
-    angles_.push_back(centre - offset);
-    angles_.push_back(centre + offset);
-  }
+  Contacts(double distance, double size) : distance_(distance), beyond_(kBeyondEnd * size) {}
 
-  /// An end of the turning segment (in polar form) at `distance` from the fixed one: on a cap, or on a flank.
-  void add_end_of_turning(const Eigen::Vector2d& end, const Segment& fixed, double distance) {
-    const double radius = end.norm();
+  /// `sense` -1 where it is the outline that turns.
+  void add(const Outline& outline, const Eigen::Vector2d& corner, double sense, bool with_caps) {
+    const double radius = corner.norm();
     if (radius == 0.0) return;
-    const double bearing = angle_of(end);
-    for (const Eigen::Vector2d* cap : {&fixed.start, &fixed.end}) {
-      const double cap_radius = cap->norm();
-      add(angle_of(*cap) - bearing,
-          (radius * radius + cap_radius * cap_radius - distance * distance) / (2.0 * radius * cap_radius));
+    const Turn turn = {radius, angle_of(corner), sense};
+    for (int i = 0; i < edge_count(outline); ++i) {
+      add_flank(edge(outline, i), distance_, turn);
+      if (outline.count == 2) add_flank(edge(outline, i), -distance_, turn);
     }
-    const Eigen::Vector2d along = fixed.end - fixed.start;
-    if (along.norm() == 0.0) return;
-    const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()).normalized();
-    for (const double side : {-distance, distance}) {
-      add(angle_of(normal) - bearing, (normal.dot(fixed.start) + side) / radius);
-    }
-  }
-
-  /// A flank of the turning segment at `distance` from an end of the fixed one.
-  void add_flank_of_turning(const Segment& turning, const Eigen::Vector2d& end, double distance) {
-    const Eigen::Vector2d along = turning.end - turning.start;
-    const double end_radius = end.norm();
-    if (along.norm() == 0.0 || end_radius == 0.0) return;
-    const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()).normalized();
-    for (const double side : {-distance, distance}) {
-      add(angle_of(end) - angle_of(normal), (normal.dot(turning.start) + side) / end_radius);
-    }
+    for (int i = 0; with_caps && i < outline.count; ++i) add_cap(outline, i, turn);
   }
 
   /// All of them within one turn above `from`, ascending, with the turn's two ends.
-  std::vector<double> within_turn_above(double from) {
+  const std::vector<double>& within_turn_above(double from) {
     for (double& angle : angles_) angle = from + std::fmod(std::fmod(angle - from, kTurn) + kTurn, kTurn);
     angles_.push_back(from);
     angles_.push_back(from + kTurn);
@@ -87,6 +103,58 @@ class Candidates {
   }
 
  private:
+  struct Turn {
+    double radius;
+    double bearing;
+    double sense;
+  };
+
+  void add(const Eigen::Vector2d& place, const Turn& turn) {
+    angles_.push_back(turn.sense * (angle_of(place) - turn.bearing));
+  }
+
+  /// The line beside an edge, on its outer (right) side, meets the circle of the corner twice.
+  void add_flank(const Segment& flank, double distance, const Turn& turn) {
+    const Eigen::Vector2d along = (flank.end - flank.start).normalized();
+    const Eigen::Vector2d outwards(along.y(), -along.x());
+    const double off = outwards.dot(flank.start) + distance;
+    if (!(std::abs(off) <= turn.radius)) return;
+    const double chord = std::sqrt((turn.radius - off) * (turn.radius + off));
+    const Interval extent = {along.dot(flank.start) - beyond_, along.dot(flank.end) + beyond_};
+    for (const double share : {-chord, chord}) {
+      if (extent.contains(share)) add(off * outwards + share * along, turn);
+    }
+  }
+
+  /// The circle around a corner of the outline meets that of the turned corner twice.
+  void add_cap(const Outline& outline, int index, const Turn& turn) {
+    const Eigen::Vector2d& middle = outline.corners[index];
+    const double away = middle.norm();
+    if (away == 0.0) return;
+    const double cosine =
+        (turn.radius * turn.radius + away * away - distance_ * distance_) / (2.0 * turn.radius * away);
+    if (!(std::abs(cosine) <= 1.0)) return;
+    const Eigen::Vector2d towards = middle / away;
+    const Eigen::Vector2d across(-towards.y(), towards.x());
+    const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
+    for (const double side : {-sine, sine}) {
+      const Eigen::Vector2d place = turn.radius * (cosine * towards + side * across);
+      if (is_beside_corner(outline, index, place)) add(place, turn);
+    }
+  }
+
+  /// Whether a corner is what of the outline is nearest to a place outside.
+  bool is_beside_corner(const Outline& outline, int index, const Eigen::Vector2d& place) const {
+    const Eigen::Vector2d& corner = outline.corners[index];
+    for (int i = 0; i < outline.count; ++i) {
+      if (i == index || (outline.count == 4 && i == (index + 2) % 4)) continue;
+      if ((place - corner).dot((outline.corners[i] - corner).normalized()) > beyond_) return false;
+    }
+    return true;
+  }
+
+  double distance_;
+  double beyond_;
   std::vector<double> angles_;
 };
 
@@ -117,32 +185,57 @@ std::vector<Interval> unrolled(const std::vector<Interval>& one_turn, Interval w
 
 }  // namespace
 
+Outline outline_of(const Segment& segment) {
+  Outline outline;
+  outline.corners[0] = segment.start;
+  outline.corners[1] = segment.end;
+  outline.count = segment.start == segment.end ? 1 : 2;
+  return outline;
+}
+
+double outline_distance(const Outline& first, const Outline& second) {
+  for (int i = 0; i < edge_count(first); ++i) {
+    for (int k = 0; k < edge_count(second); ++k) {
+      if (cross_each_other(edge(first, i), edge(second, k))) return 0.0;
+    }
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < first.count; ++i) least = std::min(least, point_distance(first.corners[i], second));
+  for (int i = 0; i < second.count; ++i) least = std::min(least, point_distance(second.corners[i], first));
+  return least;
+}
+
 double segment_distance(const Segment& first, const Segment& second) {
-  if (cross_each_other(first, second)) return 0.0;
-  return std::min({point_distance(first.start, second), point_distance(first.end, second),
-                   point_distance(second.start, first), point_distance(second.end, first)});
+  return outline_distance(outline_of(first), outline_of(second));
+}
+
+std::vector<Interval> colliding_angles(const Outline& fixed, const Outline& turning, double distance, Interval window) {
+  const Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  const double reach = largest_radius(turning);
+  const double away = largest_radius(fixed);
+  if (point_distance(origin, fixed) > reach + distance) return {};
+  if (away < point_distance(origin, turning) - distance) return {};
+  if (window.lower == window.upper) {
+    if (outline_distance(fixed, turned(turning, window.lower)) > distance) return {};
+    return {window};
+  }
+  // The distance equals `distance` only where a corner of one outline touches a cap or a flank of the other. Between
+  // two neighbouring contacts the answer cannot change, so one test in the middle decides.
+  Contacts contacts(distance, reach + away + distance);
+  for (int i = 0; i < turning.count; ++i) contacts.add(fixed, turning.corners[i], 1.0, true);
+  for (int i = 0; i < fixed.count; ++i) contacts.add(turning, fixed.corners[i], -1.0, false);
+
+  const std::vector<double>& cuts = contacts.within_turn_above(window.lower);
+  std::vector<Interval> one_turn;
+  for (std::size_t i = 0; i + 1 < cuts.size() && cuts[i] <= window.upper; ++i) {
+    const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
+    if (outline_distance(fixed, turned(turning, middle)) <= distance) append(one_turn, {cuts[i], cuts[i + 1]});
+  }
+  return unrolled(one_turn, window);
 }
 
 std::vector<Interval> colliding_angles(const Segment& fixed, const Segment& turning, double distance, Interval window) {
-  const Eigen::Vector2d origin = Eigen::Vector2d::Zero();
-  const double reach = std::max(turning.start.norm(), turning.end.norm());
-  if (point_distance(origin, fixed) > reach + distance) return {};
-  if (std::max(fixed.start.norm(), fixed.end.norm()) < point_distance(origin, turning) - distance) return {};
-  // The distance equals `distance` only where an end of one segment touches a cap or a flank of the other. Between two
-  // neighbouring candidates the answer cannot change, so one test in the middle decides.
-  Candidates candidates;
-  candidates.add_end_of_turning(turning.start, fixed, distance);
-  candidates.add_end_of_turning(turning.end, fixed, distance);
-  candidates.add_flank_of_turning(turning, fixed.start, distance);
-  candidates.add_flank_of_turning(turning, fixed.end, distance);
-
-  const std::vector<double> cuts = candidates.within_turn_above(window.lower);
-  std::vector<Interval> one_turn;
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
-    if (segment_distance(fixed, turned(turning, middle)) <= distance) append(one_turn, {cuts[i], cuts[i + 1]});
-  }
-  return unrolled(one_turn, window);
+  return colliding_angles(outline_of(fixed), outline_of(turning), distance, window);
 }
 
 }  // namespace dualarm

@@ -74,4 +74,12 @@ double reach(const Shape& in_link_frame) { return std::visit(Reach{}, in_link_fr
 
 double extent(const Shape& in_its_frame) { return std::visit(Extent{}, in_its_frame); }
 
+double swept_gap(const Base& base, const Shape& in_link_frame, const Shape& standing) {
+  const Eigen::Vector3d from_joint = centre(standing) - base.position;
+  const double beside = from_joint.head<2>().norm() - reach(in_link_frame);
+  const double above = from_joint.z() - farthest_point(in_link_frame, Eigen::Vector3d::UnitZ()).z();
+  const double below = farthest_point(in_link_frame, -Eigen::Vector3d::UnitZ()).z() - from_joint.z();
+  return std::hypot(std::max(beside, 0.0), std::max({above, below, 0.0})) - bounding_radius(standing);
+}
+
 }  // namespace dualarm

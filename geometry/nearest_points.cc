@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "geometry/support.h"
@@ -74,7 +75,8 @@ double separation(const Shape& first, const Shape& second, const Eigen::Vector3d
   return normal.dot(farthest_point(first, -normal) - farthest_point(second, normal));
 }
 
-NearestPoints nearest_points(const Shape& first, const Shape& second, const Eigen::Vector3d& guess) {
+NearestPoints nearest_points(const Shape& first, const Shape& second, const Eigen::Vector3d& guess, double size) {
+  const double gap = kNearestPointsGap * size;
   const auto corner_towards = [&](const Eigen::Vector3d& direction) -> Corner {
     return {farthest_point(first, -direction), farthest_point(second, direction), 0.0};
   };
@@ -85,11 +87,11 @@ NearestPoints nearest_points(const Shape& first, const Shape& second, const Eige
   for (int step = 0; step < kMostSteps; ++step) {
     const Eigen::Vector3d nearest = point(corral);
     const double length = nearest.norm();
-    if (length >= upper_bound || length <= kNearestPointsGap) break;
+    if (length >= upper_bound || length <= gap) break;
     upper_bound = length;
     Corner corner = corner_towards(nearest);
     lower_bound = std::max(lower_bound, nearest.dot(corner.difference()) / length);
-    if (upper_bound - lower_bound <= kNearestPointsGap) break;
+    if (upper_bound - lower_bound <= gap) break;
     corral.push_back(corner);
     settle(corral);
   }

@@ -1,5 +1,6 @@
 #include "geometry/support.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dualarm {
@@ -67,6 +68,15 @@ double bounding_radius(const Shape& shape) {
     }
   };
   return std::visit(Radius{}, shape);
+}
+
+double distance_to_ball(const Shape& shape, const Eigen::Vector3d& middle, double radius) {
+  const auto* capsule = std::get_if<Capsule>(&shape);
+  if (capsule == nullptr) return (middle - centre(shape)).norm() - bounding_radius(shape) - radius;
+  const Eigen::Vector3d axis = capsule->end - capsule->start;
+  const double square = axis.squaredNorm();
+  const double share = square > 0.0 ? std::clamp((middle - capsule->start).dot(axis) / square, 0.0, 1.0) : 0.0;
+  return (middle - capsule->start - share * axis).norm() - capsule->radius - radius;
 }
 
 }  // namespace dualarm

@@ -16,4 +16,8 @@ Eigen::Vector3d centre(const Shape& shape);
 /// Radius (m) of the smallest ball around `centre` that contains the shape.
 double bounding_radius(const Shape& shape);
 
+/// Lower bound (m, perhaps negative) on the distance of a shape and a ball, in some nanoseconds: exact for capsules
+/// that do not overlap it, for others the distance of the ball around them.
+double distance_to_ball(const Shape& shape, const Eigen::Vector3d& middle, double radius);
+
 }  // namespace dualarm

@@ -6,6 +6,7 @@
 #include "clients/cpp/interruption.h"
 #include "clients/cpp/plan_command.h"
 #include "clients/cpp/portrait_command.h"
+#include "clients/cpp/region_command.h"
 #include "clients/cpp/standard_output.h"
 #include "clients/cpp/verify_command.h"
 
@@ -19,14 +20,17 @@ int run(int argc, char** argv) {
   PlanCommand plan;
   VerifyCommand verify;
   PortraitCommand portrait;
+  RegionCommand region;
   HealthCommand health;
   CLI::App* plan_app = app.add_subcommand("plan", "plan the fastest verified motion of a request");
   CLI::App* verify_app = app.add_subcommand("verify", "verify a motion at every instant");
   CLI::App* portrait_app = app.add_subcommand("portrait", "draw the phase plane of one arm and its fastest motion");
+  CLI::App* region_app = app.add_subcommand("region", "draw the joint positions at which the two arms collide");
   CLI::App* health_app = app.add_subcommand("health", "ask whether a server is serving");
   plan.add_to(*plan_app);
   verify.add_to(*verify_app);
   portrait.add_to(*portrait_app);
+  region.add_to(*region_app);
   health.add_to(*health_app);
   try {
     app.parse(argc, argv);
@@ -39,6 +43,7 @@ int run(int argc, char** argv) {
   if (plan_app->parsed()) return static_cast<int>(plan.run(interruption));
   if (verify_app->parsed()) return static_cast<int>(verify.run(interruption));
   if (portrait_app->parsed()) return static_cast<int>(portrait.run(interruption));
+  if (region_app->parsed()) return static_cast<int>(region.run(interruption));
   return static_cast<int>(health.run(interruption));
 }
 

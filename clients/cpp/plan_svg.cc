@@ -8,6 +8,7 @@
 
 #include "clients/cpp/motion_curve.h"
 #include "clients/cpp/plot_view.h"
+#include "clients/cpp/region_polygons.h"
 #include "clients/cpp/svg_plot.h"
 #include "clients/cpp/wording.h"
 
@@ -27,10 +28,6 @@ constexpr const char* kPath = "stroke:#14507a;stroke-width:3;stroke-linejoin:rou
 constexpr const char* kBeat = "fill:#ffffff;stroke:#14507a;stroke-width:1.4";
 constexpr const char* kStart = "fill:#ffffff;stroke:#1b8a5a;stroke-width:3.5";
 constexpr const char* kGoal = "fill:#1b8a5a;stroke:#ffffff;stroke-width:1.5";
-
-PlotRange in_degrees(const JointRange& range) { return {to_degrees(range.min_rad()), to_degrees(range.max_rad())}; }
-
-PlotPoint in_degrees(double theta1, double theta2) { return {to_degrees(theta1), to_degrees(theta2)}; }
 
 // The tasks' states in the order of the robot's arms.
 PlotPoint position_of(const PlanMotionRequest& request, bool at_goal) {
@@ -65,17 +62,6 @@ double beat_of(double duration_s) {
   double beat = 1e-3;
   for (int k = 0; duration_s / beat > 20.0; ++k) beat *= k % 3 == 1 ? 2.5 : 2.0;
   return beat;
-}
-
-std::vector<std::vector<PlotPoint>> polygons_of(const GetForbiddenRegionResponse& region) {
-  std::vector<std::vector<PlotPoint>> polygons;
-  for (const Contour& contour : region.contours()) {
-    std::vector<PlotPoint>& polygon = polygons.emplace_back();
-    for (int k = 0; k < std::min(contour.theta1_rad_size(), contour.theta2_rad_size()); ++k) {
-      polygon.push_back(in_degrees(contour.theta1_rad(k), contour.theta2_rad(k)));
-    }
-  }
-  return polygons;
 }
 
 std::vector<PlotPoint> points_of(const PlanMotionResponse& response) {

@@ -1,244 +1,45 @@
 #include "core/coordination/diagram.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <optional>
-#include <utility>
-#include <vector>
+
+#include "core/coordination/projection.h"
 
 namespace dualarm {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Part of the longer duration to which the projection is proven before its ends are polished.
-constexpr double kResolution = 1e-4;
-/// Part of the longer duration below which a cell is not halved any more. Within so short a time no body moves farther
-/// than a small part of the planner's margin.
-constexpr double kShortestCell = 1e-9;
-/// Steps of the golden section, each of which leaves 0.618 of the bracket: down to rounding.
-constexpr int kSectionSteps = 75;
-/// Cells of each leg of arm 1 at the start of the subdivision.
-constexpr int kFirstCells = 16;
-
-/// A piece of a leg of arm 1, with the times at its ends.
-struct Cell {
-  const Leg* leg = nullptr;
-  double from = 0.0;
-  double to = 0.0;
-  double from_time = 0.0;
-  double to_time = 0.0;
-
-  Interval positions() const { return {std::min(from, to), std::max(from, to)}; }
-  double middle() const { return 0.5 * (from + to); }
-};
-
-/// Least value of a function with one minimum between two points, ends included. By golden section: the minimum is
-/// often a corner (the tip of the set), where interpolating methods stop at half the digits.
-template <class Function>
-double least_value(const Function& function, double left, double right) {
-  constexpr double kRatio = 1.0 - 1.0 / std::numbers::phi;
-  double least = std::min(function(left), function(right));
-  double inner_left = left + kRatio * (right - left);
-  double inner_right = right - kRatio * (right - left);
-  double at_left = function(inner_left);
-  double at_right = function(inner_right);
-  for (int i = 0; i < kSectionSteps; ++i) {
-    least = std::min({least, at_left, at_right});
-    if (at_left < at_right) {
-      right = std::exchange(inner_right, inner_left);
-      at_right = at_left;
-      inner_left = left + kRatio * (right - left);
-      at_left = function(inner_left);
-    } else {
-      left = std::exchange(inner_left, inner_right);
-      at_left = at_right;
-      inner_right = right - kRatio * (right - left);
-      at_right = function(inner_right);
-    }
-  }
-  return least;
-}
-
-class Projection {
+/// Arm 2 on its own clock.
+class OtherArm final : public Meetings {
  public:
-  Projection(const ForbiddenSet& forbidden, const Profile& first, const Profile& second, const Budget& budget)
-      : forbidden_(forbidden),
-        budget_(budget),
-        first_(first),
-        second_(second),
-        window_(second.extent()),
-        longest_(std::max(first.duration(), second.duration())),
-        resolution_(kResolution * longest_) {}
+  OtherArm(const ForbiddenSet& forbidden, const Profile& motion)
+      : forbidden_(forbidden), motion_(motion), window_(motion.extent()) {}
 
-  std::optional<IntervalSet> run() {
-    stand_still();
-    if (!subdivide()) return std::nullopt;
-    return polished();
+  std::vector<Interval> times_at(double position) const override {
+    return times_in(forbidden_.slice(position, window_));
+  }
+  std::vector<Interval> times_over(Interval positions) const override {
+    return times_in(forbidden_.slice_over(positions, window_));
   }
 
  private:
-  /// Arm 1 before its start forbids all delays up to a value, after its arrival all from a value.
-  void stand_still() {
-    for (const Interval& times : times_of_second(forbidden_.slice(first_.start(), window_))) {
-      found_.push_back({-kInfinity, -times.lower});
-    }
-    for (const Interval& times : times_of_second(forbidden_.slice(first_.goal(), window_))) {
-      found_.push_back({first_.duration() - times.upper, kInfinity});
-    }
-  }
-
-  std::vector<Cell> first_cells() const {
-    std::vector<Cell> cells;
-    for (const Leg& leg : first_.legs()) {
-      double from = leg.start;
-      double from_time = leg.start_time;
-      for (int i = 1; i <= kFirstCells; ++i) {
-        const double to = i == kFirstCells ? leg.goal : leg.start + (leg.goal - leg.start) * i / kFirstCells;
-        const double to_time = first_.time_at(leg, to);
-        cells.push_back({&leg, from, to, from_time, to_time});
-        from = to;
-        from_time = to_time;
-      }
-    }
-    return cells;
-  }
-
-  /// Halves the cells of arm 1's legs until each forbids nothing that exact slices do not forbid, to the resolution.
-  /// Breadth first, so that wide slices spare the narrow cells. False if the budget ran out.
-  bool subdivide() {
-    std::vector<Cell> cells = first_cells();
-    while (!cells.empty()) {
-      const IntervalSet known = joined(found_);
-      found_ = known.intervals();
-      std::vector<Cell> halves;
-      for (const Cell& cell : cells) {
-        if (budget_.exhausted()) return false;
-        const std::vector<Interval> outer = delays_of(cell);
-        if (all_covered(outer, known, 0.0)) continue;
-        if (all_covered(outer, known, resolution_) || is_shortest(cell)) {
-          leaves_.push_back(cell);
-        } else {
-          split(cell, halves);
-        }
-      }
-      cells = std::move(halves);
-    }
-    return true;
-  }
-
-  /// Near a turning point a short time is a shorter way than positions can tell apart.
-  bool is_shortest(const Cell& cell) const {
-    return cell.to_time - cell.from_time < kShortestCell * longest_ || cell.middle() == cell.from ||
-           cell.middle() == cell.to;
-  }
-
-  void split(const Cell& cell, std::vector<Cell>& halves) {
-    const double middle = cell.middle();
-    const double middle_time = first_.time_at(*cell.leg, middle);
-    for (const Interval& times : times_of_second(forbidden_.slice(middle, window_))) {
-      found_.push_back({middle_time - times.upper, middle_time - times.lower});
-    }
-    halves.push_back({cell.leg, cell.from, middle, cell.from_time, middle_time});
-    halves.push_back({cell.leg, middle, cell.to, middle_time, cell.to_time});
-  }
-
-  static bool all_covered(const std::vector<Interval>& intervals, const IntervalSet& set, double tolerance) {
-    return std::all_of(intervals.begin(), intervals.end(), [&](const Interval& i) { return set.covers(i, tolerance); });
-  }
-
-  /// A superset of the delays that a cell forbids.
-  std::vector<Interval> delays_of(const Cell& cell) const {
-    std::vector<Interval> delays;
-    for (const Interval& times : times_of_second(forbidden_.slice_over(cell.positions(), window_))) {
-      delays.push_back({cell.from_time - times.upper, cell.to_time - times.lower});
-    }
-    return delays;
-  }
-
-  std::vector<Interval> times_of_second(const IntervalSet& positions) const {
+  std::vector<Interval> times_in(const IntervalSet& positions) const {
     std::vector<Interval> times;
     for (const Interval& piece : positions.intervals()) {
-      const IntervalSet of_piece = second_.times_in(piece);
+      const IntervalSet of_piece = motion_.times_in(piece);
       times.insert(times.end(), of_piece.intervals().begin(), of_piece.intervals().end());
     }
     return times;
   }
 
-  /// The set with its gaps closed that leaves on both sides, forbidden to the resolution, may fill.
-  IntervalSet joined(std::vector<Interval> intervals) const {
-    for (Interval& interval : intervals) interval.upper += 2.0 * resolution_;
-    std::vector<Interval> result = IntervalSet(std::move(intervals)).intervals();
-    for (Interval& interval : result) interval.upper -= 2.0 * resolution_;
-    return IntervalSet(std::move(result));
-  }
-
-  /// Each finite end moved outwards to the extremum of the exact slices near it.
-  IntervalSet polished() {
-    std::sort(leaves_.begin(), leaves_.end(), [](const Cell& a, const Cell& b) { return a.from_time < b.from_time; });
-    std::vector<Interval> result = joined(found_).intervals();
-    for (Interval& interval : result) {
-      const double lower = polished_end(interval, 1.0);
-      const double upper = -polished_end({-interval.upper, -interval.lower}, -1.0);
-      interval = {lower, upper};
-    }
-    return IntervalSet(std::move(result));
-  }
-
-  /// The lower end of `interval`, one of sign * (forbidden delays): the least of the local minima in the leaves. A
-  /// turning point ends its leg's leaves: on both sides of it the same positions come at other times.
-  double polished_end(Interval interval, double sign) const {
-    if (!std::isfinite(interval.lower)) return interval.lower;
-    std::vector<double> lowest;
-    for (const Cell& leaf : leaves_) lowest.push_back(end_of_slice(*leaf.leg, leaf.middle(), interval, sign));
-    double best = interval.lower;
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      const bool has_left = i > 0 && follows(leaves_[i - 1], leaves_[i]);
-      const bool has_right = i + 1 < leaves_.size() && follows(leaves_[i], leaves_[i + 1]);
-      const bool is_minimum = (!has_left || lowest[i] <= lowest[i - 1]) && (!has_right || lowest[i] <= lowest[i + 1]);
-      if (!is_minimum || lowest[i] > interval.lower + 2.0 * resolution_) continue;
-      const double left = has_left ? leaves_[i - 1].middle() : leaves_[i].from;
-      const double right = has_right ? leaves_[i + 1].middle() : leaves_[i].to;
-      const Leg& leg = *leaves_[i].leg;
-      const auto lowest_at = [&](double position) { return end_of_slice(leg, position, interval, sign); };
-      best = std::min(best, least_value(lowest_at, left, right));
-    }
-    return best;
-  }
-
-  static bool follows(const Cell& before, const Cell& after) {
-    return before.leg == after.leg && before.to == after.from;
-  }
-
-  /// The least of sign * (delays that the slice at a position of a leg forbids) that belongs to `interval`; far above
-  /// it if there is none, as beyond the tip of the set.
-  double end_of_slice(const Leg& leg, double position, Interval interval, double sign) const {
-    const double time = first_.time_at(leg, position);
-    double lowest = interval.lower + longest_;
-    for (const Interval& times : times_of_second(forbidden_.slice(position, window_))) {
-      const double end = sign > 0.0 ? time - times.upper : times.lower - time;
-      if (end >= interval.lower - 2.0 * resolution_ && end <= interval.upper) lowest = std::min(lowest, end);
-    }
-    return lowest;
-  }
-
   const ForbiddenSet& forbidden_;
-  const Budget& budget_;
-  const Profile& first_;
-  const Profile& second_;
+  const Profile& motion_;
   Interval window_;
-  double longest_;     ///< s, of the two durations
-  double resolution_;  ///< s
-  std::vector<Interval> found_;
-  std::vector<Cell> leaves_;
 };
 
 }  // namespace
 
 std::optional<IntervalSet> forbidden_delays(const ForbiddenSet& forbidden, const Profile& first, const Profile& second,
                                             const Budget& budget) {
-  return Projection(forbidden, first, second, budget).run();
+  return project(OtherArm(forbidden, second), first, {std::max(first.duration(), second.duration())}, budget);
 }
 
 }  // namespace dualarm

@@ -3,33 +3,70 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/coordination/advance.h"
 #include "geometry/chain.h"
+#include "geometry/lens.h"
+#include "geometry/motion_bound.h"
+#include "geometry/support.h"
 
 namespace dualarm {
 namespace {
 
-/// The closed form is one of capsules; a request is refused that has others.
-const Capsule& capsule_of(const Shape& shape) { return std::get<Capsule>(shape); }
-
-Segment flat(const Capsule& capsule) { return {capsule.start.head<2>(), capsule.end.head<2>()}; }
-
 /// A clockwise arm seen from below is a counterclockwise one.
-Segment mirrored(const Segment& segment, const Base& base) {
-  const Eigen::Vector2d mirror(1.0, base.sense());
-  return {segment.start.cwiseProduct(mirror), segment.end.cwiseProduct(mirror)};
+Outline mirrored(Outline outline, const Base& base) {
+  if (base.rotation == Rotation::kCounterclockwise) return outline;
+  for (int i = 0; i < outline.count; ++i) outline.corners[i].y() = -outline.corners[i].y();
+  std::reverse(outline.corners.begin(), outline.corners.begin() + outline.count);
+  return outline;
 }
 
-/// The world's segment in the frame in which the arm on `base` turns counterclockwise from the x axis.
-Segment seen_from(const Base& base, const Segment& world) {
-  const Eigen::Rotation2Dd back(-base.heading);
-  const Eigen::Vector2d origin = base.position.head<2>();
-  return mirrored({back * (world.start - origin), back * (world.end - origin)}, base);
+/// The world's outline in the frame in which the arm on `base` turns counterclockwise from the x axis.
+Outline seen_from(const Base& base, Outline world) {
+  const Eigen::Matrix2d back = Eigen::Rotation2Dd(-base.heading).toRotationMatrix();
+  for (int i = 0; i < world.count; ++i) world.corners[i] = back * (world.corners[i] - base.position.head<2>());
+  return mirrored(world, base);
 }
 
-/// Distance in the plane at which bodies in planes `height` apart come within `distance` of each other; negative if
-/// they pass over each other.
-double distance_in_plane(double distance, double height) {
-  return distance < std::abs(height) ? -1.0 : std::sqrt(distance * distance - height * height);
+/// The outline of what moves with the arm on `base`, in the world.
+Outline placed(Outline in_link, const Base& base, double position) {
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(base.heading + base.sense() * position).toRotationMatrix();
+  for (int i = 0; i < in_link.count; ++i) in_link.corners[i] = turn * in_link.corners[i] + base.position.head<2>();
+  return in_link;
+}
+
+double largest_radius(const Outline& outline) {
+  double largest = 0.0;
+  for (int i = 0; i < outline.count; ++i) largest = std::max(largest, outline.corners[i].norm());
+  return largest;
+}
+
+/// What turns with a joint.
+class Turning final : public Wanderer {
+ public:
+  Turning(const Base& base, const Shape& in_link) : base_(base), in_link_(in_link), reach_(reach(in_link)) {}
+
+  Shape shape_at(double position) const override { return placed(in_link_, link_pose(base_, position)); }
+  Screw screw_at(double /*position*/) const override {
+    return {base_.position, Eigen::Vector3d::Zero(), base_.sense() * Eigen::Vector3d::UnitZ(), reach_};
+  }
+
+  /// Whether a body is out of reach of everything that turns, at a distance of at least `distance`.
+  bool misses(const Shape& fixed, double distance) const {
+    const double away = (centre(fixed) - base_.position).head<2>().norm();
+    return away > reach_ + bounding_radius(fixed) + distance;
+  }
+
+ private:
+  const Base& base_;
+  const Shape& in_link_;
+  double reach_;
+};
+
+std::vector<Interval> traced_angles(const Base& base, const Shape& turning, const Shape& fixed, double distance,
+                                    Interval window) {
+  const Turning moving(base, turning);
+  if (moving.misses(fixed, distance)) return {};
+  return colliding_parameters(fixed, moving, distance, window);
 }
 
 }  // namespace
@@ -37,19 +74,20 @@ double distance_in_plane(double distance, double height) {
 ForbiddenSet::ForbiddenSet(const Problem& problem, double clearance)
     : first_base_(problem.arms[0].base),
       second_base_(problem.arms[1].base),
+      clearance_(clearance),
       add_paper_set_(problem.options.region_model == RegionModel::kPaper),
       first_length_(problem.arms[0].length),
       second_length_(problem.arms[1].length) {
+  const double lift = first_base_.position.z() - second_base_.position.z();
   for (const Body& first : moving_bodies(problem, 0)) {
+    const auto a = upright(first.shape);
     for (const Body& second : moving_bodies(problem, 1)) {
-      const Capsule& a = capsule_of(first.shape);
-      const Capsule& b = capsule_of(second.shape);
-      const double height = first_base_.position.z() + a.start.z() - second_base_.position.z() - b.start.z();
-      const double distance = distance_in_plane(a.radius + b.radius + clearance, height);
-      if (distance < 0.0) continue;
-      const Segment of_first = flat(a);
-      pairs_.push_back(
-          {of_first, mirrored(flat(b), second_base_), distance, std::max(of_first.start.norm(), of_first.end.norm())});
+      const auto b = upright(second.shape);
+      if (!a || !b) {
+        solid_pairs_.push_back({first.shape, second.shape, reach(first.shape)});
+      } else if (const double distance = distance_in_plane(*a, *b, lift, clearance); distance >= 0.0) {
+        flat_pairs_.push_back({a->outline, mirrored(b->outline, second_base_), distance, largest_radius(a->outline)});
+      }
     }
   }
 }
@@ -64,23 +102,23 @@ bool ForbiddenSet::contains(double theta1, double theta2) const { return !slice(
 
 IntervalSet ForbiddenSet::slice(double theta1, double spread, Interval window) const {
   std::vector<Interval> forbidden;
-  for (const Pair& pair : pairs_) {
-    // Over the spread no point of arm 1 moves by more than its reach times the spread.
-    const std::vector<Interval> angles = colliding_angles(seen_by_second(pair.of_first, theta1), pair.of_second,
-                                                          pair.distance + pair.reach * spread, window);
+  const auto add = [&](const std::vector<Interval>& angles) {
     forbidden.insert(forbidden.end(), angles.begin(), angles.end());
+  };
+  // Over the spread no point of arm 1 moves by more than its reach times the spread.
+  for (const FlatPair& pair : flat_pairs_) {
+    const Outline first = seen_from(second_base_, placed(pair.of_first, first_base_, theta1));
+    add(colliding_angles(first, pair.of_second, pair.distance + pair.reach * spread, window));
+  }
+  for (const SolidPair& pair : solid_pairs_) {
+    const Shape first = placed(pair.of_first, link_pose(first_base_, theta1));
+    add(traced_angles(second_base_, pair.of_second, first, clearance_ + pair.reach * spread, window));
   }
   if (add_paper_set_) {
     const Interval paper = paper_slice({theta1 - spread, theta1 + spread});
     forbidden.push_back({std::max(paper.lower, window.lower), std::min(paper.upper, window.upper)});
   }
   return IntervalSet(std::move(forbidden));
-}
-
-Segment ForbiddenSet::seen_by_second(const Segment& of_first, double theta1) const {
-  const Eigen::Rotation2Dd turn(first_base_.heading + first_base_.sense() * theta1);
-  const Eigen::Vector2d origin = first_base_.position.head<2>();
-  return seen_from(second_base_, {origin + turn * of_first.start, origin + turn * of_first.end});
 }
 
 /// [paper, figure 2] R_c = { l1 cos theta1 + l2 cos theta2 >= L, theta2 <= elevation of tip 1 seen from base 2 },
@@ -101,12 +139,12 @@ Interval ForbiddenSet::paper_slice(Interval theta1) const {
 
 IntervalSet blocked_positions(const Base& base, const Shape& moving, const Shape& fixed, double clearance,
                               Interval window) {
-  const Capsule& a = capsule_of(moving);
-  const Capsule& b = capsule_of(fixed);
-  const double height = base.position.z() + a.start.z() - b.start.z();
-  const double distance = distance_in_plane(a.radius + b.radius + clearance, height);
+  const auto a = upright(moving);
+  const auto b = upright(fixed);
+  if (!a || !b) return IntervalSet(traced_angles(base, moving, fixed, clearance, window));
+  const double distance = distance_in_plane(*a, *b, base.position.z(), clearance);
   if (distance < 0.0) return {};
-  return IntervalSet(colliding_angles(seen_from(base, flat(b)), mirrored(flat(a), base), distance, window));
+  return IntervalSet(colliding_angles(seen_from(base, b->outline), mirrored(a->outline, base), distance, window));
 }
 
 }  // namespace dualarm

@@ -1,16 +1,18 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
+#include "core/coordination/upright.h"
 #include "core/model/interval_set.h"
 #include "core/model/problem.h"
-#include "geometry/lens.h"
 
 namespace dualarm {
 
 /// The set of joint positions (theta1, theta2), rad, at which the two arms with all they carry come closer than a
-/// clearance, in closed form for bodies whose axes are parallel to the plane of motion (planes may differ in height).
+/// clearance. Slices are in closed form for upright bodies (planes may differ in height), and traced with a proof for
+/// pairs with one that is not: then they are a superset, with ends to 1e-10 rad and gaps of less than 0.01 rad closed.
 /// With RegionModel::kPaper the paper's conservative set R_c is added. Theory, section 2 [paper, figure 2].
 class ForbiddenSet {
  public:
@@ -26,27 +28,37 @@ class ForbiddenSet {
   bool contains(double theta1, double theta2) const;
 
  private:
-  struct Pair {
-    Segment of_first;   ///< in the link frame of arm 1, m
-    Segment of_second;  ///< in the turning frame of arm 2 (mirrored if it turns clockwise), m
+  /// Upright bodies that can meet.
+  struct FlatPair {
+    Outline of_first;   ///< in the link frame of arm 1, m
+    Outline of_second;  ///< in the turning frame of arm 2 (mirrored if it turns clockwise), m
     double distance;    ///< m, in the plane, below which the pair collides
     double reach;       ///< m, of of_first from the joint of arm 1
   };
 
+  /// Bodies of which one leans, in their link frames.
+  struct SolidPair {
+    Shape of_first;
+    Shape of_second;
+    double reach;  ///< m, of of_first from the joint of arm 1
+  };
+
   IntervalSet slice(double theta1, double spread, Interval window) const;
-  Segment seen_by_second(const Segment& of_first, double theta1) const;
   Interval paper_slice(Interval theta1) const;
 
   Base first_base_;
   Base second_base_;
-  std::vector<Pair> pairs_;
+  double clearance_;
+  std::vector<FlatPair> flat_pairs_;
+  std::vector<SolidPair> solid_pairs_;
   bool add_paper_set_;
   double first_length_;
   double second_length_;
 };
 
-/// The positions (rad) in `window` of one arm at which what moves with it comes closer than `clearance` (m) to a body
-/// that stands still, of capsules. Theory, section 2.
+/// The positions (rad) in `window` of one arm at which what moves with it, in its link frame, comes closer than
+/// `clearance` (m) to a body that stands still, in the world; as exact as the slices of a ForbiddenSet. Theory,
+/// section 2.
 IntervalSet blocked_positions(const Base& base, const Shape& moving, const Shape& fixed, double clearance,
                               Interval window);
 

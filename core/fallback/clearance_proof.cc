@@ -3,24 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/chain.h"
 #include "geometry/clearance.h"
 #include "geometry/motion_bound.h"
+#include "geometry/support.h"
 
 namespace dualarm {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 /// Joint error (rad) of a ProfileTable that a proof allows for; tests/core/fallback measures it far below.
 constexpr double kTableError = 1e-6;
 
-/// Distance queries after which a motion counts as too close to be worth a proof. A motion that passes at 1 mm with
-/// 20 m/s takes some 300.
-constexpr int kQueryLimit = 1500;
+/// Looks at a pair of bodies after which a motion counts as too close to be worth a proof. A motion that passes at 1 mm
+/// with 20 m/s takes some 300.
+constexpr int kLookLimit = 1500;
 
-double distance_bound(const Shape& first, const Shape& second) {
-  return clearance(first, second).distance - clearance_error(first, second);
-}
+/// m. What rounding of coordinates of up to 10 km costs a bounding ball or box.
+constexpr double kRounding = 1e-10;
 
 double position_on(const Track& track, double time) {
   auto motion = track.begin();
@@ -28,14 +31,17 @@ double position_on(const Track& track, double time) {
   return motion->table->position(time - motion->start_time);
 }
 
-/// Times between which no arm turns back, starts or stops, ascending.
-std::vector<double> breakpoints(const std::array<Track, kArmCount>& tracks) {
-  std::vector<double> times;
+/// Times of an interval between which no arm turns back, starts or stops, ascending, with its ends.
+std::vector<double> breakpoints(const std::array<Track, kArmCount>& tracks, Interval interval) {
+  std::vector<double> times = {interval.lower, interval.upper};
+  const auto add = [&](double time) {
+    if (time > interval.lower && time < interval.upper) times.push_back(time);
+  };
   for (const Track& track : tracks) {
     for (const TimedTable& motion : track) {
-      times.push_back(motion.start_time);
-      for (const double turn : motion.table->turning_times()) times.push_back(motion.start_time + turn);
-      times.push_back(motion.start_time + motion.table->duration());
+      add(motion.start_time);
+      for (const double turn : motion.table->turning_times()) add(motion.start_time + turn);
+      add(motion.start_time + motion.table->duration());
     }
   }
   std::sort(times.begin(), times.end());
@@ -43,75 +49,180 @@ std::vector<double> breakpoints(const std::array<Track, kArmCount>& tracks) {
   return times;
 }
 
+Eigen::AlignedBox3d grown(Eigen::AlignedBox3d box, const Eigen::Vector3d& by) {
+  box.min() -= by;
+  box.max() += by;
+  return box;
+}
+
+/// What a body of an arm may sweep, wherever the joint is.
+Eigen::AlignedBox3d swept_by(const Base& base, const Shape& in_link, double reach) {
+  const double low = farthest_point(in_link, -Eigen::Vector3d::UnitZ()).z();
+  const double high = farthest_point(in_link, Eigen::Vector3d::UnitZ()).z();
+  return {base.position + Eigen::Vector3d(-reach, -reach, low), base.position + Eigen::Vector3d(reach, reach, high)};
+}
+
+Eigen::AlignedBox3d swept_along(const PoseTrack& track, double extent) {
+  Eigen::AlignedBox3d box;
+  for (const TimedPose& timed : track.poses()) box.extend(timed.pose.translation());
+  return grown(box, Eigen::Vector3d::Constant(extent));
+}
+
 }  // namespace
 
+/// Where everything is at a time.
+struct ClearanceProof::Instant {
+  double time;  ///< s
+  JointPair positions;
+  std::array<Eigen::Isometry3d, kArmCount> links;
+};
+
+/// A span of time in which both joints move one way, and what is known of a pair at its ends.
+struct ClearanceProof::Span {
+  const Pair* pair;
+  Instant from;
+  Instant to;
+  double slack_from;
+  double slack_to;
+};
+
 ClearanceProof::ClearanceProof(const Problem& problem, double clearance)
-    : fixed_(fixed_bodies(problem)), clearance_(clearance) {
-  for (int arm = 0; arm < kArmCount; ++arm) {
-    bases_[arm] = problem.arms[arm].base;
-    moving_[arm] = moving_bodies(problem, arm);
-    reach_[arm] = 0.0;
-    for (const Body& body : moving_[arm]) reach_[arm] = std::max(reach_[arm], reach(body.shape));
+    : bases_{problem.arms[0].base, problem.arms[1].base}, settled_time_(-kInfinity) {
+  for (const TrackedBody& tracked : tracked_bodies(problem)) {
+    settled_time_ = std::max(settled_time_, tracked.track->end_time());
   }
+  movers_ = movers_of(problem);
+  const auto swing_of_arm = [](const Mover& mover) { return mover.arm >= 0 ? mover.swing : 0.0; };
+  for (std::size_t i = 0; i < movers_.size() && movers_[i].arm >= 0; ++i) {
+    for (std::size_t j = i + 1; j < movers_.size(); ++j) {
+      const Mover& first = movers_[i];
+      const Mover& second = movers_[j];
+      if (first.arm == second.arm) continue;
+      const double margin =
+          clearance + clearance_error(first.shape, second.shape) + kTableError * (first.swing + swing_of_arm(second));
+      if (first.where.exteriorDistance(second.where) <= margin + kRounding) pairs_.push_back({i, j, margin});
+    }
+  }
+}
+
+/// Arms come first.
+std::vector<ClearanceProof::Mover> ClearanceProof::movers_of(const Problem& problem) const {
+  std::vector<Mover> movers;
+  const auto add = [&](const Shape& shape, double swing) -> Mover& {
+    movers.push_back({shape, dualarm::centre(shape), bounding_radius(shape), swing});
+    return movers.back();
+  };
+  for (int arm = 0; arm < kArmCount; ++arm) {
+    for (const Body& body : moving_bodies(problem, arm)) {
+      Mover& mover = add(body.shape, reach(body.shape));
+      mover.arm = arm;
+      mover.where = swept_by(bases_[arm], body.shape, mover.swing);
+    }
+  }
+  for (const TrackedBody& tracked : tracked_bodies(problem)) {
+    Mover& mover = add(tracked.body.shape, extent(tracked.body.shape));
+    mover.track = tracked.track;
+    mover.where = swept_along(*tracked.track, mover.swing);
+  }
+  for (const Body& body : fixed_bodies(problem)) {
+    Mover& mover = add(body.shape, 0.0);
+    mover.where = grown(Eigen::AlignedBox3d(mover.centre), Eigen::Vector3d::Constant(mover.radius));
+  }
+  return movers;
+}
+
+ClearanceProof::Instant ClearanceProof::instant(const JointPair& positions, double time) const {
+  return {time, positions, {link_pose(bases_[0], positions[0]), link_pose(bases_[1], positions[1])}};
+}
+
+Eigen::Isometry3d ClearanceProof::pose(const Mover& mover, const Instant& instant) const {
+  if (mover.arm >= 0) return instant.links[mover.arm];
+  return mover.track != nullptr ? mover.track->pose_at(instant.time) : Eigen::Isometry3d::Identity();
+}
+
+Eigen::Vector3d ClearanceProof::centre(const Mover& mover, const Instant& instant) const {
+  if (mover.arm < 0 && mover.track == nullptr) return mover.centre;
+  return pose(mover, instant) * mover.centre;
+}
+
+/// What balls around bodies tell of the slack, quickly.
+double ClearanceProof::far_slack(const Pair& pair, const Instant& instant) const {
+  const Mover& first = movers_[pair.first];
+  const Mover& second = movers_[pair.second];
+  const Eigen::Vector3d seen_by_first = instant.links[first.arm].inverse() * centre(second, instant);
+  return distance_to_ball(first.shape, seen_by_first, second.radius) - pair.margin - kRounding;
+}
+
+double ClearanceProof::slack(const Pair& pair, const Instant& instant) const {
+  const Mover& first = movers_[pair.first];
+  const Mover& second = movers_[pair.second];
+  return clearance(placed(first.shape, pose(first, instant)), placed(second.shape, pose(second, instant))).distance -
+         pair.margin;
 }
 
 double ClearanceProof::slack(const JointPair& positions) const {
-  std::array<std::vector<Shape>, kArmCount> placed_bodies;
-  for (int arm = 0; arm < kArmCount; ++arm) {
-    const Eigen::Isometry3d pose = link_pose(bases_[arm], positions[arm]);
-    for (const Body& body : moving_[arm]) placed_bodies[arm].push_back(placed(body.shape, pose));
+  const Instant now = instant(positions, 0.0);
+  double closest = kInfinity;
+  for (const Pair& pair : pairs_) {
+    if (movers_[pair.second].track != nullptr || far_slack(pair, now) >= closest) continue;
+    closest = std::min(closest, slack(pair, now));
   }
-  double closest = std::numeric_limits<double>::infinity();
-  for (const Shape& first : placed_bodies[0]) {
-    for (const Shape& second : placed_bodies[1]) closest = std::min(closest, distance_bound(first, second));
+  return closest;
+}
+
+/// Largest way (m) that the two bodies can have moved against each other, when the joints changed monotonely.
+double ClearanceProof::approach(const Pair& pair, const Instant& from, const Instant& to) const {
+  double way = 0.0;
+  for (const Mover* mover : {&movers_[pair.first], &movers_[pair.second]}) {
+    if (mover->arm >= 0) way += mover->swing * std::abs(to.positions[mover->arm] - from.positions[mover->arm]);
+    if (mover->track == nullptr) continue;
+    const Interval between = {from.time, to.time};
+    way += mover->track->travel(between) + mover->swing * mover->track->turn(between);
   }
-  for (const Body& obstacle : fixed_) {
-    for (const auto& bodies : placed_bodies) {
-      for (const Shape& body : bodies) closest = std::min(closest, distance_bound(body, obstacle.shape));
+  return way;
+}
+
+bool ClearanceProof::proves(const std::array<Track, kArmCount>& tracks, Interval time) const {
+  std::vector<Instant> instants;
+  for (const double at : breakpoints(tracks, time)) {
+    instants.push_back(instant({position_on(tracks[0], at), position_on(tracks[1], at)}, at));
+  }
+  std::vector<Span> open;
+  for (const Pair& pair : pairs_) {
+    std::optional<double> known;  // the slack where the last span ended
+    for (std::size_t i = 0; i + 1 < instants.size(); ++i) {
+      const Instant& from = instants[i];
+      const Instant& to = instants[i + 1];
+      const double way = approach(pair, from, to);
+      if (far_slack(pair, from) + far_slack(pair, to) > way) {
+        known.reset();
+        continue;
+      }
+      const double slack_from = known ? *known : slack(pair, from);
+      const double slack_to = slack(pair, to);
+      if (slack_from <= 0.0 || slack_to <= 0.0) return false;
+      if (slack_from + slack_to <= way) open.push_back({&pair, from, to, slack_from, slack_to});
+      known = slack_to;
     }
   }
-  return closest - clearance_ - kTableError * (reach_[0] + reach_[1]);
+  return halve(open, tracks, static_cast<int>(instants.size()));
 }
 
-double ClearanceProof::largest_approach(const JointPair& from, const JointPair& to) const {
-  return reach_[0] * std::abs(to[0] - from[0]) + reach_[1] * std::abs(to[1] - from[1]);
-}
-
-/// A span of time in which both joints move one way, and what is known at its ends.
-struct ClearanceProof::Span {
-  struct End {
-    double time;
-    JointPair positions;
-    double slack;
-  };
-  End from;
-  End to;
-};
-
-bool ClearanceProof::proves(const std::array<Track, kArmCount>& tracks) const {
-  int queries = 0;
-  const auto look = [&](double time) -> Span::End {
-    ++queries;
-    const JointPair positions = {position_on(tracks[0], time), position_on(tracks[1], time)};
-    return {time, positions, slack(positions)};
-  };
-  std::vector<Span> open;
-  std::vector<Span::End> ends;
-  for (const double time : breakpoints(tracks)) {
-    ends.push_back(look(time));
-    if (ends.back().slack <= 0.0) return false;
-    if (ends.size() > 1) open.push_back({*(ends.end() - 2), ends.back()});
-  }
-  // Width first: a collision somewhere is met before much has been proven elsewhere.
+/// Width first: a collision somewhere is met before much has been proven elsewhere.
+bool ClearanceProof::halve(std::vector<Span>& open, const std::array<Track, kArmCount>& tracks, int looks) const {
   for (std::vector<Span> halves; !open.empty(); open.swap(halves)) {
     halves.clear();
     for (const Span& span : open) {
-      const double approach = largest_approach(span.from.positions, span.to.positions);
-      if (span.from.slack + span.to.slack > approach) continue;
-      const Span::End middle = look(0.5 * (span.from.time + span.to.time));
-      if (middle.slack <= 0.0 || queries > kQueryLimit) return false;
-      halves.push_back({span.from, middle});
-      halves.push_back({middle, span.to});
+      const double time = 0.5 * (span.from.time + span.to.time);
+      const Instant middle = instant({position_on(tracks[0], time), position_on(tracks[1], time)}, time);
+      const double slack_there = slack(*span.pair, middle);
+      if (slack_there <= 0.0 || ++looks > kLookLimit) return false;
+      const auto keep = [&](const Instant& from, const Instant& to, double slack_from, double slack_to) {
+        if (slack_from + slack_to > approach(*span.pair, from, to)) return;
+        halves.push_back({span.pair, from, to, slack_from, slack_to});
+      };
+      keep(span.from, middle, span.slack_from, slack_there);
+      keep(middle, span.to, slack_there, span.slack_to);
     }
   }
   return true;

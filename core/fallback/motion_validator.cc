@@ -17,16 +17,17 @@ const Systems& systems_of(const ompl::base::SpaceInformation* space) {
 }  // namespace
 
 std::optional<Edge> connect(const Systems& systems, const ClearanceProof& proof, const JointPair& from,
-                            const JointPair& to) {
+                            const JointPair& to, Interval time) {
   auto first = steer(*systems[0], from[0], to[0]);
   auto second = steer(*systems[1], from[1], to[1]);
   if (!first || !second) return std::nullopt;
   const std::array<ProfileTable, kArmCount> tables = {ProfileTable(*first), ProfileTable(*second)};
-  const double duration = std::max(tables[0].duration(), tables[1].duration());
+  const double duration = std::max({tables[0].duration(), tables[1].duration(), time.length()});
   const std::array<double, kArmCount> latest = {duration - tables[0].duration(), duration - tables[1].duration()};
   const JointPair together = {0.0, 0.0};
   for (const JointPair& starts : {together, latest}) {
-    if (proof.proves({Track{{starts[0], &tables[0]}}, Track{{starts[1], &tables[1]}}})) {
+    if (proof.proves({Track{{time.lower + starts[0], &tables[0]}}, Track{{time.lower + starts[1], &tables[1]}}},
+                     {time.lower, time.lower + duration})) {
       return Edge{{TimedProfile{starts[0], std::move(*first)}, TimedProfile{starts[1], std::move(*second)}}, duration};
     }
     if (latest == together) break;
@@ -41,7 +42,8 @@ bool RestValidity::isValid(const ompl::base::State* state) const {
 
 bool EdgeValidator::checkMotion(const ompl::base::State* from, const ompl::base::State* to) const {
   const bool valid = std::isfinite(si_->distance(from, to)) &&
-                     connect(systems_of(si_), proof_, StateTimeSpace::positions(from), StateTimeSpace::positions(to));
+                     connect(systems_of(si_), proof_, StateTimeSpace::positions(from), StateTimeSpace::positions(to),
+                             {StateTimeSpace::time(from), StateTimeSpace::time(to)});
   ++(valid ? valid_ : invalid_);
   return valid;
 }

@@ -8,6 +8,7 @@
 
 #include "core/fallback/clearance_proof.h"
 #include "core/fallback/steering.h"
+#include "geometry/interval.h"
 
 namespace dualarm {
 
@@ -15,15 +16,17 @@ namespace dualarm {
 /// that is early holds.
 struct Edge {
   std::array<TimedProfile, kArmCount> motions;
-  double duration = 0.0;  ///< s, the later arrival
+  double duration = 0.0;  ///< s, not before the later arrival
 };
 
-/// An edge that is proven to keep the clearance: both arms begin together, or else the faster one waits so that both
-/// arrive together. None where neither can be proven. The same positions give the same edge.
+/// An edge that is proven to keep the clearance during a time (s since the start of the plan): both arms begin together
+/// with it, or else each waits so that both arrive together at its end. A time too short for the motions is extended.
+/// None where neither can be proven. The same positions and time give the same edge.
 std::optional<Edge> connect(const Systems& systems, const ClearanceProof& proof, const JointPair& from,
-                            const JointPair& to);
+                            const JointPair& to, Interval time);
 
-/// A state is valid where both arms can be held and all bodies keep the clearance. What is told to OMPL; the referred
+/// A state is valid where both arms can be held and all bodies keep the clearance but those that move by themselves:
+/// whether they do depends on how long the arms rest there, which the edges know. What is told to OMPL; the referred
 /// objects outlive it.
 class RestValidity final : public ompl::base::StateValidityChecker {
  public:

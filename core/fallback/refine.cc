@@ -87,15 +87,30 @@ void Refinement::change_once(Itinerary& candidate) {
   }
 }
 
-void Refinement::consider(Itinerary candidate) {
+void Refinement::consider(const Itinerary& candidate) {
+  // One arm always begins at once, unless both have to wait for an object that moves by itself.
+  if (!improves_aligned(candidate) && proof_.settled_time() > 0.0) keep_if_faster(candidate);
+}
+
+void Refinement::keep_if_faster(const Itinerary& candidate) {
+  const double duration = candidate.duration();
+  if (duration >= duration_ * (1.0 - kWorthwhileGain)) return;
+  ++evaluations_;
+  if (!proof_.proves(candidate.tracks(), {0.0, duration})) return;
+  best_ = candidate;
+  duration_ = duration;
+  waits_ = best_.waits_between();
+}
+
+bool Refinement::improves_aligned(Itinerary candidate) {
   const double shortest = std::max(candidate.busy_time(0), candidate.busy_time(1));
   const double waits = candidate.waits_between();
   double end = std::min(duration_, duration_ + kWaitWeight * (waits_ - waits) - kWorthwhileGain * duration_);
-  if (shortest >= end) return;
+  if (shortest >= end) return false;
   int leader = random_.chance(kOtherLeaderChance) ? 1 - leader_ : leader_;
   if (!proven(candidate, leader, end)) {
     leader = 1 - leader;
-    if (!proven(candidate, leader, end)) return;
+    if (!proven(candidate, leader, end)) return false;
   }
   double too_short = shortest;
   if (proven(candidate, leader, shortest)) {
@@ -111,12 +126,13 @@ void Refinement::consider(Itinerary candidate) {
   duration_ = best_.duration();
   waits_ = waits;
   leader_ = leader;
+  return true;
 }
 
 bool Refinement::proven(Itinerary& candidate, int leader, double end) {
   ++evaluations_;
   candidate.align(leader, end);
-  return proof_.proves(candidate.tracks());
+  return proof_.proves(candidate.tracks(), {0.0, end});
 }
 
 }  // namespace dualarm

@@ -26,7 +26,9 @@ class Refinement {
  private:
   Itinerary changed();
   void change_once(Itinerary& candidate);
-  void consider(Itinerary candidate);
+  void consider(const Itinerary& candidate);
+  bool improves_aligned(Itinerary candidate);
+  void keep_if_faster(const Itinerary& candidate);
   bool proven(Itinerary& candidate, int leader, double end);
 
   const Systems& systems_;

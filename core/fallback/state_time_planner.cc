@@ -47,8 +47,8 @@ Itinerary itinerary_along(const Systems& systems, const ClearanceProof& proof,
   for (unsigned i = 0; i + 1 < path.getStateCount(); ++i) {
     const JointPair from = StateTimeSpace::positions(path.getState(i));
     const JointPair to = StateTimeSpace::positions(path.getState(i + 1));
-    const auto edge = connect(systems, proof, from, to);
     const double begin = StateTimeSpace::time(path.getState(i));
+    const auto edge = connect(systems, proof, from, to, {begin, StateTimeSpace::time(path.getState(i + 1))});
     for (int arm = 0; arm < kArmCount; ++arm) {
       itinerary.append(arm, begin + edge.value().motions[arm].start_time, to[arm]);
     }
@@ -65,7 +65,7 @@ SearchResult search_state_time(const Problem& problem, const Systems& systems, d
   const JointPair start = {problem.tasks[0].start.position, problem.tasks[1].start.position};
   const JointPair goal = {problem.tasks[0].goal.position, problem.tasks[1].goal.position};
 
-  auto space = std::make_shared<StateTimeSpace>(systems, horizon(systems), seed);
+  auto space = std::make_shared<StateTimeSpace>(systems, horizon(systems), seed, proof.settled_time());
   auto information = std::make_shared<ob::SpaceInformation>(space);
   information->setStateValidityChecker(std::make_shared<RestValidity>(information, proof));
   information->setMotionValidator(std::make_shared<EdgeValidator>(information, proof));

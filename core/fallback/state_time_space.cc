@@ -25,8 +25,8 @@ constexpr double kTimeRounding = 1e-12;
 
 }  // namespace
 
-StateTimeSpace::StateTimeSpace(const Systems& systems, double horizon, std::uint64_t seed)
-    : systems_(systems), horizon_(horizon), seed_(seed) {
+StateTimeSpace::StateTimeSpace(const Systems& systems, double horizon, std::uint64_t seed, double settled_time)
+    : systems_(systems), horizon_(horizon), settled_time_(settled_time), seed_(seed) {
   setName("StateTime");
   auto joints = std::make_shared<ob::RealVectorStateSpace>(kArmCount);
   ob::RealVectorBounds bounds(kArmCount);
@@ -58,6 +58,10 @@ void StateTimeSpace::set(ob::State* state, const JointPair& positions, double ti
     compound->as<ob::RealVectorStateSpace::StateType>(kJoints)->values[arm] = positions[arm];
   }
   compound->as<ob::TimeStateSpace::StateType>(kTime)->position = time;
+}
+
+double StateTimeSpace::worth_waiting_for(const ob::State* sample) const {
+  return settled_time_ > 0.0 ? settled_time_ * time(sample) / horizon_ : -std::numeric_limits<double>::infinity();
 }
 
 double StateTimeSpace::distance(const ob::State* from, const ob::State* to) const {

@@ -3,6 +3,7 @@
 #include <ompl/base/StateSpace.h>
 
 #include <cstdint>
+#include <limits>
 
 #include "core/fallback/steering.h"
 
@@ -16,10 +17,16 @@ namespace dualarm {
 /// straight in all three coordinates: motions between states are the MotionValidator's matter, not the space's.
 class StateTimeSpace final : public ompl::base::CompoundStateSpace {
  public:
-  /// `horizon` s, > 0; `seed` is of the samplers that the space hands out: all begin the same sequence.
-  StateTimeSpace(const Systems& systems, double horizon, std::uint64_t seed);
+  /// `horizon` s, > 0; `seed` is of the samplers that the space hands out: all begin the same sequence. `settled_time`
+  /// (s, perhaps minus infinite): after it no object moves by itself, so that nobody has to wait for one.
+  StateTimeSpace(const Systems& systems, double horizon, std::uint64_t seed,
+                 double settled_time = -std::numeric_limits<double>::infinity());
 
   const Systems& systems() const { return systems_; }
+
+  /// A time (s) to wait for at a sampled state, spread evenly from 0 to the settled time; minus infinity where nothing
+  /// moves by itself.
+  double worth_waiting_for(const ompl::base::State* sample) const;
 
   static JointPair positions(const ompl::base::State* state);
   static double time(const ompl::base::State* state);
@@ -34,6 +41,7 @@ class StateTimeSpace final : public ompl::base::CompoundStateSpace {
  private:
   Systems systems_;
   double horizon_;
+  double settled_time_;
   std::uint64_t seed_;
 };
 

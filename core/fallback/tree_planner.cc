@@ -86,12 +86,14 @@ const TreePlanner::Node* TreePlanner::extend_to(ob::State* target) {
   const Node* root = nodes_.front().get();
   if (std::find(parents.begin(), parents.end(), root) == parents.end()) parents.push_back(root);
 
-  const Systems& systems = si_->getStateSpace()->as<StateTimeSpace>()->systems();
+  const auto* space = si_->getStateSpace()->as<StateTimeSpace>();
+  const Systems& systems = space->systems();
   const JointPair positions = StateTimeSpace::positions(target);
+  const double earliest = space->worth_waiting_for(target);
   std::vector<std::pair<double, const Node*>> arrivals;
   for (const Node* parent : parents) {
     const double way = monotone_time(systems, StateTimeSpace::positions(parent->state), positions);
-    arrivals.emplace_back(StateTimeSpace::time(parent->state) + way, parent);
+    arrivals.emplace_back(std::max(earliest, StateTimeSpace::time(parent->state) + way), parent);
   }
   std::stable_sort(arrivals.begin(), arrivals.end(),
                    [](const auto& left, const auto& right) { return left.first < right.first; });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/passage/climb.h"
 #include "core/passage/obstacle.h"
 
 namespace dualarm {
@@ -22,6 +23,13 @@ constexpr int kGateBits = 26;
 constexpr std::uintmax_t kMostSteps = 50;
 /// Part of a duration that is worth looking for a better gate.
 constexpr double kHurried = 1e-9;
+/// Climbs along an obstacle's border, rad and parts of a duration: no body moves by a part of the planning margin in so
+/// little. The first step of one that begins at the slowest gate of a set that is a margin wider.
+constexpr ClimbRules kClimb = {1e-2, 2e-9, 1e-10};
+constexpr ClimbRules kRefine = {3e-4, 2e-9, 1e-10};
+constexpr ClimbRules kClimbNearBy = {1e-5, 1e-8, 1e-9};
+/// rad: how far apart two slices tell the slope of a border.
+constexpr double kBorderStep = 1e-8;
 
 struct Candidate {
   Gate gate;
@@ -63,17 +71,27 @@ class SideSearch {
              const Budget& budget)
       : plane_(plane), travellers_(travellers), obstacle_(obstacle), side_(side), budget_(budget) {}
 
-  /// Nothing if no gate of that side is known.
-  std::optional<Way> run() {
+  /// Nothing if no gate of that side is known. Begins at the slowest gate of a set like this one, if there is one of
+  /// this side near by.
+  std::optional<Way> run(const std::vector<Way>& near_by) {
+    for (const Way& way : near_by) {
+      for (const Gate& gate : gates_at(way.gate, way.gate.pinned_position)) consider(gate, &way.bound);
+    }
+    if (best_) {
+      refine(plane_.range(best_->gate.pinned_arm), kClimbNearBy);
+      return best_;
+    }
     const std::vector<Candidate> candidates = all_candidates();
     if (candidates.empty()) return std::nullopt;
-    consider(most_crossing(candidates));
+    consider(most_crossing(candidates), nullptr);
+    refine_if_hurried(candidates);
+    const double refined = best_->bound.duration;
     for (const Candidate& candidate : candidates) {
       if (candidate.estimate.duration <= best_->bound.duration || budget_.exhausted()) break;
-      consider(candidate.gate);
+      const GateBound slowest = best_->bound;
+      consider(candidate.gate, &slowest, slowest.duration);
     }
-    const double unhurried = gate_estimate(travellers_, best_->gate).duration;
-    if (best_->bound.duration < unhurried * (1.0 - kHurried)) refine(candidates);
+    if (best_->bound.duration > refined) refine_if_hurried(candidates);
     return best_;
   }
 
@@ -103,10 +121,11 @@ class SideSearch {
     return candidates;
   }
 
-  double consider(const Gate& gate) {
-    const GateBound bound = gate_bound(travellers_, gate);
+  /// A gate of which nothing counts but a bound beyond `floor` (s) costs less.
+  GateBound consider(const Gate& gate, const GateBound* near_by, double floor = 0.0) {
+    const GateBound bound = gate_bound(travellers_, gate, near_by, floor);
     if (!best_ || bound.duration > best_->bound.duration) best_ = Way{gate, bound};
-    return bound.duration;
+    return bound;
   }
 
   /// The gate at which unhurried motions meet the obstacle most.
@@ -114,29 +133,62 @@ class SideSearch {
     Candidate most = *std::max_element(
         candidates.begin(), candidates.end(),
         [](const Candidate& a, const Candidate& b) { return a.estimate.crossing < b.estimate.crossing; });
-    const Gate& like = most.gate;
+    const Gate like = most.gate;
     const auto crossing_at = [&](double position) {
-      double found = 0.0;
+      std::optional<Rated> found;
       for (const Gate& gate : gates_at(like, position)) {
         const GateEstimate estimate = gate_estimate(travellers_, gate);
         if (estimate.crossing > most.estimate.crossing) most = {gate, estimate};
-        found = std::max(found, estimate.crossing);
+        if (found && estimate.crossing <= found->value) continue;
+        const double slope = slope_at(gate, estimate.early_arm, estimate.early, estimate.late);
+        found = {position, estimate.crossing, slope};
       }
-      return -found;
+      return found;
     };
-    search(crossing_at, neighbourhood(candidates, like), kGateBits);
+    seek(crossing_at, neighbourhood(candidates, like), crossing_at(like.pinned_position), kClimb);
     return most.gate;
   }
 
+  void refine_if_hurried(const std::vector<Candidate>& candidates) {
+    const double unhurried = gate_estimate(travellers_, best_->gate).duration;
+    if (best_->bound.duration >= unhurried * (1.0 - kHurried)) return;
+    refine(neighbourhood(candidates, best_->gate), kRefine);
+  }
+
   /// As to the bound itself: it may be largest a little beside where unhurried motions meet.
-  void refine(const std::vector<Candidate>& candidates) {
+  void refine(Interval bracket, const ClimbRules& rules) {
     const Gate like = best_->gate;
+    GateBound last = best_->bound;
     const auto bound_at = [&](double position) {
-      double found = 0.0;
-      for (const Gate& gate : gates_at(like, position)) found = std::max(found, consider(gate));
-      return -found;
+      std::optional<Rated> found;
+      for (const Gate& gate : gates_at(like, position)) {
+        const GateBound bound = consider(gate, &last);
+        if (found && bound.duration <= found->value) continue;
+        last = bound;
+        found = rated({gate, bound});
+      }
+      return found;
     };
-    search(bound_at, neighbourhood(candidates, like), kGateBits);
+    seek(bound_at, bracket, rated(*best_), rules);
+  }
+
+  Rated rated(const Way& way) const {
+    const GateBound& bound = way.bound;
+    const double slope = bound.price * slope_at(way.gate, bound.early_arm, bound.early, bound.late);
+    return {way.gate.pinned_position, bound.duration, bound.price > 0.0 ? slope : kInfinity};
+  }
+
+  /// How fast the time to a gate and on from it grows along the border.
+  double slope_at(const Gate& gate, int early_arm, const Passing& early, const Passing& late) const {
+    for (const double step : {kBorderStep, -kBorderStep}) {
+      double nearest = kInfinity;
+      for (const Interval& stretch : plane_.slice(gate.pinned_arm, gate.pinned_position + step).intervals()) {
+        const double corner = gate.runs_up ? stretch.upper : stretch.lower;
+        if (std::abs(corner - gate.corner_position) < std::abs(nearest)) nearest = corner - gate.corner_position;
+      }
+      if (std::isfinite(nearest)) return crossing_slope(gate, nearest / step, early_arm, early, late);
+    }
+    return kInfinity;
   }
 
   /// From one neighbour of a gate that runs the same way to the other.
@@ -151,12 +203,19 @@ class SideSearch {
     return bracket;
   }
 
-  template <class Function>
-  void search(const Function& function, Interval bracket, int bits) const {
+  /// By slopes; by values, where there are none.
+  template <class Rate>
+  void seek(const Rate& rate, Interval bracket, const std::optional<Rated>& from, const ClimbRules& rules) const {
+    const auto rate_in_time = [&](double position) {
+      return budget_.exhausted() ? std::optional<Rated>() : rate(position);
+    };
+    if (climb(rate_in_time, bracket, from, rules) || &rules == &kClimbNearBy) return;
     std::uintmax_t steps = kMostSteps;
-    boost::math::tools::brent_find_minima(
-        [&](double position) { return budget_.exhausted() ? 0.0 : function(position); }, bracket.lower, bracket.upper,
-        bits, steps);
+    const auto fall = [&](double position) {
+      const std::optional<Rated> rated = rate_in_time(position);
+      return rated ? -rated->value : 0.0;
+    };
+    boost::math::tools::brent_find_minima(fall, bracket.lower, bracket.upper, kGateBits, steps);
   }
 
   /// The gates of this side that run like `gate` from a position.
@@ -180,11 +239,11 @@ class SideSearch {
 
 /// The ways around one obstacle and the bound of the faster one.
 PassageBound bound_of(const ForbiddenPlane& plane, const Travellers& travellers, Obstacle& obstacle,
-                      const Budget& budget) {
+                      const std::vector<Way>& near_by, const Budget& budget) {
   PassageBound bound = {kInfinity, {}, true};
   for (const int side : {0, 1}) {
     if (obstacle.is_closed(side)) continue;
-    const auto way = SideSearch(plane, travellers, obstacle, side, budget).run();
+    const auto way = SideSearch(plane, travellers, obstacle, side, budget).run(near_by);
     bound.duration = std::min(bound.duration, way ? way->bound.duration : 0.0);
     if (way) bound.ways.push_back(*way);
   }
@@ -195,11 +254,12 @@ PassageBound bound_of(const ForbiddenPlane& plane, const Travellers& travellers,
 
 }  // namespace
 
-PassageBound passage_bound(const ForbiddenPlane& plane, const Travellers& travellers, const Budget& budget) {
+PassageBound passage_bound(const ForbiddenPlane& plane, const Travellers& travellers, const Budget& budget,
+                           const std::vector<Way>& near_by) {
   PassageBound best;
   for (Obstacle& obstacle : obstacles_on_way(plane, travellers)) {
     if (budget.exhausted()) break;
-    PassageBound bound = bound_of(plane, travellers, obstacle, budget);
+    PassageBound bound = bound_of(plane, travellers, obstacle, near_by, budget);
     if (bound.duration > best.duration || best.ways.empty()) best = std::move(bound);
   }
   best.is_whole = !budget.exhausted();

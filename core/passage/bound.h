@@ -25,7 +25,9 @@ struct PassageBound {
 /// The largest passage bound over the obstacles of a forbidden plane that the arms' fastest motions meet: for each
 /// obstacle the better of its two sides, for each side the slowest of its gates, sought along the obstacle's border.
 /// True for pairs of motions of the travellers' families (through.h): for all motions, where those are complete.
-/// Theory, section 4.
-PassageBound passage_bound(const ForbiddenPlane& plane, const Travellers& travellers, const Budget& budget);
+/// The ways around the obstacles of a plane that is a margin wider, if given, are where the search begins and, on their
+/// sides, ends: the slowest gate there is the slowest here, too, to what the margin makes. Theory, section 4.
+PassageBound passage_bound(const ForbiddenPlane& plane, const Travellers& travellers, const Budget& budget,
+                           const std::vector<Way>& near_by = {});
 
 }  // namespace dualarm

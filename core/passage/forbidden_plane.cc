@@ -1,13 +1,28 @@
 #include "core/passage/forbidden_plane.h"
 
 #include <utility>
+#include <vector>
+
+#include "core/coordination/upright.h"
 
 namespace dualarm {
 namespace {
 
-Problem with_exact_region(Problem problem) {
-  problem.options.region_model = RegionModel::kExact;
-  return problem;
+bool leans(const Problem& problem, const Object& object) {
+  const auto* attached = std::get_if<AttachedPlacement>(&object.placement);
+  if (attached == nullptr) return false;
+  for (const Body& body : moving_bodies(problem, attached->arm)) {
+    if (body.name == object.name && !upright(body.shape)) return true;
+  }
+  return false;
+}
+
+/// The scene without what is not sliced in closed form, and the exact set of the rest: a part of what is forbidden.
+Problem exactly_sliced(const Problem& problem) {
+  Problem exact = problem;
+  exact.options.region_model = RegionModel::kExact;
+  std::erase_if(exact.objects, [&](const Object& object) { return leans(problem, object); });
+  return exact;
 }
 
 /// The same scene with the arms' names for each other exchanged.
@@ -29,8 +44,8 @@ bool cross(const Slice& first, const Slice& second) {
 
 ForbiddenPlane::ForbiddenPlane(const Problem& problem, double clearance)
     : ranges_{problem.arms[0].joint_range, problem.arms[1].joint_range},
-      sets_{ForbiddenSet(with_exact_region(problem), clearance),
-            ForbiddenSet(exchanged(with_exact_region(problem)), clearance)} {}
+      sets_{ForbiddenSet(exactly_sliced(problem), clearance),
+            ForbiddenSet(exchanged(exactly_sliced(problem)), clearance)} {}
 
 IntervalSet ForbiddenPlane::slice(int pinned_arm, double position) const {
   return sets_[pinned_arm].slice(position, ranges_[1 - pinned_arm]);

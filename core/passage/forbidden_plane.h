@@ -20,7 +20,8 @@ struct Slice {
 bool cross(const Slice& first, const Slice& second);
 
 /// The exact forbidden set (RegionModel::kExact, whatever the problem asks for) in the rectangle of the joint ranges,
-/// sliced along both axes in closed form: what lies on a slice is proven to be forbidden.
+/// sliced along both axes in closed form: what lies on a slice is proven to be forbidden. Carried objects that lean are
+/// left out, since their slices are supersets: bounds are true without them.
 class ForbiddenPlane {
  public:
   /// `clearance` (m, >= 0) between the surfaces of the bodies.

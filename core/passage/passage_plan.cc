@@ -209,8 +209,9 @@ std::optional<PassagePlan> extremal_plan(const Travellers& travellers, const Way
   const Through early(travellers[early_arm], position(way.gate, early_arm), Hurry::kEarlyArrival);
   const Through late(travellers[1 - early_arm], position(way.gate, 1 - early_arm), Hurry::kLateDeparture);
   if (!early.exists() || !late.exists()) return std::nullopt;
-  const auto one = early.motion(early.within(duration));
-  const auto other = late.motion(late.within(duration));
+  const bool is_known = duration == way.bound.duration;
+  const auto one = early.motion(is_known ? way.bound.early : early.within(duration));
+  const auto other = late.motion(is_known ? way.bound.late : late.within(duration));
   if (!one || !other) return std::nullopt;
   const Profile& first = early_arm == 0 ? *one : *other;
   const Profile& second = early_arm == 0 ? *other : *one;

@@ -41,7 +41,8 @@ PassageProof proof_of(const PassageBound& bound, const Problem& problem) {
   return {complete * (1.0 - kRounding), bound.ways.front().gate};
 }
 
-PassageProof passage_proof(const Problem& problem, double clearance, double longest, const Budget& budget) {
+PassageProof passage_proof(const Problem& problem, double clearance, double longest, const Budget& budget,
+                           const std::vector<Way>& near_by) {
   std::vector<Arm> arms;
   for (int i = 0; i < kArmCount; ++i) {
     const auto relaxed = relaxed_arm(loaded_arm(problem, i), problem.tasks[i], longest);
@@ -61,7 +62,7 @@ PassageProof passage_proof(const Problem& problem, double clearance, double long
   Problem reached = problem;
   for (int i = 0; i < kArmCount; ++i) reached.arms[i].joint_range = arms[i].joint_range;
   const PassageBound bound =
-      passage_bound(ForbiddenPlane(reached, clearance), Travellers{traveller(0), traveller(1)}, budget);
+      passage_bound(ForbiddenPlane(reached, clearance), Travellers{traveller(0), traveller(1)}, budget, near_by);
   if (bound.ways.empty() && !std::isinf(bound.duration)) return {};
   const double proven = std::min({bound.duration, longest, complete_until(arms[0]), complete_until(arms[1])});
   return {proven * (1.0 - kRounding), bound.ways.empty() ? std::nullopt : std::optional(bound.ways.front().gate)};

@@ -25,7 +25,8 @@ PassageProof proof_of(const PassageBound& bound, const Problem& problem);
 
 /// The passage bound at a clearance (m), proven for every pair of motions that stays in the joint ranges of the
 /// problem: of relaxed arms, where the families of the arms themselves are not proven to be complete. It looks at
-/// durations up to `longest` (s) only, and proves no more.
-PassageProof passage_proof(const Problem& problem, double clearance, double longest, const Budget& budget);
+/// durations up to `longest` (s) only, and proves no more. `near_by`: as to passage_bound.
+PassageProof passage_proof(const Problem& problem, double clearance, double longest, const Budget& budget,
+                           const std::vector<Way>& near_by = {});
 
 }  // namespace dualarm

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <limits>
 #include <variant>
 #include <vector>
 
@@ -15,17 +14,11 @@
 namespace dualarm {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Speeds this close, relative, are one: rounding of energies.
 constexpr double kSameSpeed = 1e-9;
 /// Shares of a family this close are one; times are smooth in the share.
 constexpr double kShareTolerance = 1e-12;
 constexpr std::uintmax_t kMostSteps = 60;  ///< of a root in the share
-double duration_of(const System& system, JointState from, JointState to) {
-  const auto motion = fastest_motion(system, from, to, Swings::kSkip);
-  const auto* found = std::get_if<FastestMotion>(&motion);
-  return found != nullptr ? found->profile.duration() : kInfinity;
-}
 
 /// The state of rest that braking from a moving start leads to, or from which a moving goal is run up to; nothing if
 /// there is none.
@@ -39,8 +32,8 @@ std::optional<JointState> rest_beside(const System& system, JointState state, bo
 
 Passing passing_with(const Traveller& traveller, double position, double velocity) {
   const JointState passed = {position, velocity};
-  return {velocity, duration_of(*traveller.system, traveller.start, passed),
-          duration_of(*traveller.system, passed, traveller.goal)};
+  return {velocity, fastest_duration(*traveller.system, traveller.start, passed),
+          fastest_duration(*traveller.system, passed, traveller.goal)};
 }
 
 /// As the fastest motion passes it first, or last; nothing if it does not get there.
@@ -56,7 +49,7 @@ std::optional<Passing> of_fastest_motion(const Traveller& traveller, double posi
   for (const Leg& leg : fastest.legs()) {
     if (!Interval{std::min(leg.start, leg.goal), std::max(leg.start, leg.goal)}.contains(position)) continue;
     const double time = fastest.time_at(leg, position);
-    passing = {fastest.at(time).velocity, time, fastest.duration() - time};
+    passing = {fastest.velocity_at(leg, position), time, fastest.duration() - time};
     if (early) break;
   }
   return passing;
@@ -69,14 +62,18 @@ Passing fastest_passing(const Traveller& traveller, double position, Hurry hurry
   return passing_with(traveller, position, 0.0);
 }
 
-Through::Through(const Traveller& traveller, double position, Hurry hurry)
-    : traveller_(&traveller), position_(position), hurry_(hurry), direction_(1.0) {
-  least_ = most_ = fastest_passing(traveller, position, hurry);
+Through::Through(const Traveller& traveller, double position, Hurry hurry, const Passing& fastest)
+    : traveller_(&traveller),
+      position_(position),
+      hurry_(hurry),
+      direction_(1.0),
+      least_(fastest),
+      most_velocity_(fastest.velocity) {
   const double near = (hurry == Hurry::kEarlyArrival ? traveller.start : traveller.goal).position;
   if (position == near || !exists()) return;
   direction_ = ((position > near) == (hurry == Hurry::kEarlyArrival)) ? 1.0 : -1.0;
   const double velocity = fastest_velocity();
-  if (direction_ * velocity > direction_ * least_.velocity * (1.0 + kSameSpeed)) most_ = through_with(velocity);
+  if (direction_ * velocity > direction_ * least_.velocity * (1.0 + kSameSpeed)) most_velocity_ = velocity;
 }
 
 /// With full drive from the start, or such that full braking leads to the goal; 0 where that does not get there.
@@ -102,15 +99,16 @@ Passing Through::through_with(double velocity) const { return passing_with(*trav
 
 /// Near the fastest motion its duration grows with the root of the speed: an overshoot of the goal begins at rest.
 Passing Through::at(double share) const {
-  if (share <= 0.0) return least_;
-  if (share >= 1.0) return most_;
-  return through_with(least_.velocity + (most_.velocity - least_.velocity) * share * share);
+  if (share <= 0.0 || most_velocity_ == least_.velocity) return least_;
+  if (share >= 1.0) return through_with(most_velocity_);
+  return through_with(least_.velocity + (most_velocity_ - least_.velocity) * share * share);
 }
 
 Passing Through::within(double duration) const {
   if (least_.duration() >= duration) return least_;
-  if (most_.duration() <= duration) return most_;
-  Passing beyond = most_;
+  const Passing most = this->most();
+  if (most.duration() <= duration) return most;
+  Passing beyond = most;
   const auto excess = [&](double share) {
     const Passing passing = at(share);
     const double difference = std::min(passing.duration(), kNever) - duration;
@@ -119,7 +117,7 @@ Passing Through::within(double duration) const {
   };
   std::uintmax_t steps = kMostSteps;
   boost::math::tools::toms748_solve(
-      excess, 0.0, 1.0, least_.duration() - duration, std::min(most_.duration(), kNever) - duration,
+      excess, 0.0, 1.0, least_.duration() - duration, std::min(most.duration(), kNever) - duration,
       [](double low, double high) { return high - low < kShareTolerance; }, steps);
   return beyond;
 }

@@ -40,14 +40,20 @@ Passing fastest_passing(const Traveller& traveller, double position, Hurry hurry
 /// kind that takes at most T beats the hurried half of within(T). Theory, section 4.
 class Through {
  public:
-  Through(const Traveller& traveller, double position, Hurry hurry);
+  Through(const Traveller& traveller, double position, Hurry hurry)
+      : Through(traveller, position, hurry, fastest_passing(traveller, position, hurry)) {}
+
+  /// With the fastest passing known.
+  Through(const Traveller& traveller, double position, Hurry hurry, const Passing& fastest);
 
   /// Whether any motion of the family exists.
   bool exists() const { return least_.duration() < kNever; }
 
+  bool is_early() const { return hurry_ == Hurry::kEarlyArrival; }
+
   /// The fastest motion that gets there, and the one whose hurried half is fastest.
   const Passing& least() const { return least_; }
-  const Passing& most() const { return most_; }
+  Passing most() const { return at(1.0); }
 
   /// The time that is hurried: before or after the position, s.
   double hurried(const Passing& passing) const {
@@ -75,7 +81,7 @@ class Through {
   Hurry hurry_;
   double direction_;  ///< sign of the velocity in the position
   Passing least_;
-  Passing most_;
+  double most_velocity_;  ///< rad/s, of `most`
 };
 
 }  // namespace dualarm

@@ -11,8 +11,6 @@
 namespace dualarm {
 namespace {
 
-/// Relative error at which the quadrature of a time stops subdividing: a digit above rounding.
-constexpr double kQuadratureTolerance = 1e-13;
 /// Subdivisions allowed for motions that nearly stall on the way.
 constexpr unsigned kQuadratureDepth = 15;
 /// By how much, relative to the arc, an integration may miss the arc's end before its steps are halved, and into how
@@ -47,8 +45,8 @@ constexpr double kVelocityRounding = 2e-16;
 
 }  // namespace
 
-ArcMotion::ArcMotion(const System& system, const Arc& arc)
-    : system_(&system), kind_(arc.kind), start_(arc.start), end_(arc.end) {
+ArcMotion::ArcMotion(const System& system, const Arc& arc, double tolerance)
+    : system_(&system), tolerance_(tolerance), kind_(arc.kind), start_(arc.start), end_(arc.end) {
   const double direction = direction_of(arc);
   extreme_ = (kind_ == ArcKind::kAccelerate) == (direction > 0.0) ? Extreme::kHighest : Extreme::kLowest;
   const bool is_traced = kind_ != ArcKind::kCruise && system.velocity_matters(extreme_, direction);
@@ -165,7 +163,7 @@ double ArcMotion::quadrature(double root) const {
   const double half = 0.5 * (root - first);
   return half * boost::math::quadrature::gauss_kronrod<double, 21>::integrate(
                     [&](double at) { return 1.0 / speed_near_anchor(first + half * (1.0 + at)); }, -1.0, 1.0,
-                    kQuadratureDepth, kQuadratureTolerance);
+                    kQuadratureDepth, tolerance_);
 }
 
 double ArcMotion::time_from_anchor(double position) const {
@@ -182,6 +180,13 @@ double ArcMotion::time_at(double position) const {
   }
   const double time = time_from_anchor(position);
   return from_start_ ? time : duration_ - time;
+}
+
+double ArcMotion::velocity_at(double position) const {
+  if (kind_ == ArcKind::kCruise) return start_.velocity;
+  if (mean_acceleration_) return start_.velocity + *mean_acceleration_ * time_at(position);
+  if (trace_) return trace_->at_position(position).state.velocity;
+  return (from_start_ ? away_ : -away_) * std::sqrt(std::max(0.0, speed_squared(position - anchor_.position)));
 }
 
 JointState ArcMotion::at(double time) const {

@@ -16,7 +16,15 @@ class ArcMotion {
   /// The kind and the end states of `arc` count, its times do not. Precondition: it has some length, or changes its
   /// velocity, and does not turn back; but an end velocity whose stopping distance positions cannot tell may point
   /// against it.
-  ArcMotion(const System& system, const Arc& arc);
+  ArcMotion(const System& system, const Arc& arc) : ArcMotion(system, arc, kExact) {}
+
+  /// With times whose quadratures stop subdividing at a relative error of the lower one of two rules: that of the upper
+  /// one, which counts, is about its power of 3/2.
+  ArcMotion(const System& system, const Arc& arc, double tolerance);
+
+  /// Such errors: a digit above rounding; and one at which times still hold to 1e-13, which takes half the work.
+  static constexpr double kExact = 1e-13;
+  static constexpr double kLean = 1e-9;
 
   double duration() const { return duration_; }  ///< s
 
@@ -25,6 +33,9 @@ class ArcMotion {
 
   /// Time (s) at which a position of the arc is passed.
   double time_at(double position) const;
+
+  /// Velocity (rad/s) with which a position of the arc is passed.
+  double velocity_at(double position) const;
 
   /// State at a time.
   JointState at(double time) const;
@@ -54,6 +65,7 @@ class ArcMotion {
                                                      std::vector<JointState> backward) const;
 
   const System* system_;
+  double tolerance_;
   ArcKind kind_;
   JointState start_;
   JointState end_;

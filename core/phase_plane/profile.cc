@@ -55,9 +55,23 @@ double Profile::time_at(const Leg& leg, double position) const {
   const double sign = leg.goal > leg.start ? 1.0 : -1.0;
   if (sign * (position - leg.start) <= 0.0) return leg.start_time;
   if (sign * (leg.goal - position) <= 0.0) return leg.end_time;
+  const std::size_t arc = arc_at(leg, position);
+  return arcs_[arc].start_time + motions_[arc].time_at(position);
+}
+
+double Profile::velocity_at(const Leg& leg, double position) const {
+  const double sign = leg.goal > leg.start ? 1.0 : -1.0;
+  if (sign * (position - leg.start) <= 0.0) return arcs_[leg.first_arc].start.velocity;
+  if (sign * (leg.goal - position) <= 0.0) return arcs_[leg.last_arc].end.velocity;
+  return motions_[arc_at(leg, position)].velocity_at(position);
+}
+
+/// The arc of a leg that passes a position between its ends.
+std::size_t Profile::arc_at(const Leg& leg, double position) const {
+  const double sign = leg.goal > leg.start ? 1.0 : -1.0;
   std::size_t arc = leg.first_arc;
   while (arc < leg.last_arc && sign * (arcs_[arc].end.position - position) < 0.0) ++arc;
-  return arcs_[arc].start_time + motions_[arc].time_at(position);
+  return arc;
 }
 
 IntervalSet Profile::times_in(Interval positions) const {

@@ -62,6 +62,9 @@ class Profile {
   /// of the duration.
   double time_at(const Leg& leg, double position) const;
 
+  /// Velocity (rad/s) with which a leg passes a position between its ends (clamped to them).
+  double velocity_at(const Leg& leg, double position) const;
+
   /// All times of the own clock, standing before and after included, at which the position lies in the interval.
   /// Infinite ends where the start or the goal does.
   IntervalSet times_in(Interval positions) const;
@@ -71,6 +74,7 @@ class Profile {
 
  private:
   const ArcMotion& motion_of(const Arc& arc) const;
+  std::size_t arc_at(const Leg& leg, double position) const;
 
   const System* system_;
   std::vector<Arc> arcs_;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/phase_plane/arc_motion.h"
 #include "core/phase_plane/impasse.h"
 #include "core/phase_plane/minimum.h"
 #include "core/phase_plane/spot_motion.h"
@@ -69,6 +70,12 @@ MinimumOver claim_of(const System& system, const Profile& profile, double bound,
   return profile.legs().size() == 1 ? MinimumOver::kMonotoneMotions : MinimumOver::kSearchedMotions;
 }
 
+double duration_along(const System& system, const std::vector<Arc>& arcs) {
+  double duration = 0.0;
+  for (const Arc& arc : arcs) duration += ArcMotion(system, arc, ArcMotion::kLean).duration();
+  return duration;
+}
+
 }  // namespace
 
 std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointState start, JointState goal,
@@ -102,6 +109,21 @@ std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointS
     blocked.is_searched_out = !budget.exhausted();
   }
   return blocked;
+}
+
+double fastest_duration(const System& system, JointState start, JointState goal) {
+  if (check_start(system, start) || check_goal(system, goal)) return kInfinity;
+  if (is_one_state(system, start, goal)) return 0.0;
+  if (const auto arcs = motion_on_the_spot(system, start, goal); arcs && !arcs->empty()) {
+    return duration_along(system, *arcs);
+  }
+  double fastest = kInfinity;
+  for (const double direction : {1.0, -1.0}) {
+    const auto way = one_way_motion(system, start, goal, direction);
+    const auto* arcs = way ? std::get_if<std::vector<Arc>>(&*way) : nullptr;
+    if (arcs != nullptr) fastest = std::min(fastest, duration_along(system, *arcs));
+  }
+  return fastest;
 }
 
 }  // namespace dualarm

@@ -138,17 +138,18 @@ std::vector<Arc> arcs_along(const Path& path, const Extremal& extremal, JointSta
   return std::move(chain).end_in(to);
 }
 
-/// Whether a state is at rest as far as positions can tell.
-bool is_at_rest(const System& system, JointState state) {
-  const Interval admissible = system.acceleration(state.position, state.velocity);
-  const double way = energy_of(state) / std::max(std::abs(admissible.lower), std::abs(admissible.upper));
-  return way <= kShortestArc * (1.0 + std::abs(state.position));
+/// Whether a state is at rest as far as positions can tell: braked, as a start, or driven, as a goal, within less.
+bool is_at_rest(const System& system, JointState state, bool is_start) {
+  if (state.velocity == 0.0) return true;
+  const Extreme extreme = (state.velocity > 0.0) == is_start ? Extreme::kLowest : Extreme::kHighest;
+  const double acceleration = system.extreme_acceleration(extreme, state.position, state.velocity);
+  return energy_of(state) <= std::abs(acceleration) * kShortestArc * (1.0 + std::abs(state.position));
 }
 
 /// Full braking from a moving start to rest, or full drive from rest to a moving goal, which is the same backwards in
 /// time: one extremal from the state towards the end of the range that it moves to, or comes from.
 ArcsOrBlocked arcs_to_rest(const System& system, JointState state, bool is_start) {
-  if (is_at_rest(system, state)) return std::vector<Arc>{};
+  if (is_at_rest(system, state, is_start)) return std::vector<Arc>{};
   const double wall = (state.velocity > 0.0) == is_start ? system.range().upper : system.range().lower;
   const ArcKind kind = is_start ? ArcKind::kBrake : ArcKind::kAccelerate;
   const BlockReason too_fast = is_start ? BlockReason::kStartTooFast : BlockReason::kGoalTooFast;

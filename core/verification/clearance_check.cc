@@ -4,7 +4,7 @@
 #include <limits>
 #include <queue>
 
-#include "core/verification/body_pair.h"
+#include "core/verification/bounded_pairs.h"
 #include "core/verification/sentence.h"
 #include "core/verification/tolerances.h"
 
@@ -23,6 +23,7 @@ struct Candidate {
   std::size_t pair = 0;
   Interval time;
   double distance = std::numeric_limits<double>::infinity();  // in the middle; infinite while nobody has looked
+  double error = 0.0;                                         // of that distance
   double lower_bound = 0.0;
 
   bool is_examined() const { return distance < std::numeric_limits<double>::infinity(); }
@@ -32,17 +33,20 @@ struct Candidate {
 
 class ClearanceSearch {
  public:
-  ClearanceSearch(const std::vector<BodyPair>& pairs, double demanded)
-      : pairs_(pairs), demanded_(std::max(demanded, kTouching)), sightings_(pairs.size()) {}
-
-  /// Pairs that nobody has looked at keep what their swept discs prove, or nothing if that is not enough.
-  void run(double duration, const Budget& budget) {
+  ClearanceSearch(const CarriedBodies& bodies, double duration, double demanded)
+      : demanded_(std::max(demanded, kTouching)),
+        pairs_(pairs_that_may_meet(bodies, duration, demanded_)),
+        sightings_(pairs_.size()) {
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
-      const double swept = swept_distance(pairs_[pair]);
       Candidate whole = {pair, {0.0, duration}};
+      const double swept = pairs_[pair].swept_distance;
       whole.lower_bound = swept >= demanded_ ? swept : -std::numeric_limits<double>::infinity();
       candidates_.push(whole);
     }
+  }
+
+  /// Pairs that nobody has looked at keep what their boxes prove, or nothing if that is not enough.
+  void run(const Budget& budget) {
     const std::size_t most_queries = kMostQueries + pairs_.size();
     while (!is_decided() && !budget.exhausted() && static_cast<std::size_t>(query_count_) < most_queries) {
       const Candidate candidate = candidates_.top();
@@ -51,9 +55,9 @@ class ClearanceSearch {
         examine(candidate.pair, candidate.time);
         continue;
       }
-      const double middle = 0.5 * (candidate.time.lower + candidate.time.upper);
-      examine(candidate.pair, {candidate.time.lower, middle});
-      examine(candidate.pair, {middle, candidate.time.upper});
+      const double cut = cut_of(pairs_[candidate.pair].pair, candidate.time);
+      examine(candidate.pair, {candidate.time.lower, cut});
+      examine(candidate.pair, {cut, candidate.time.upper});
     }
   }
 
@@ -77,9 +81,9 @@ class ClearanceSearch {
 
  private:
   void examine(std::size_t pair, Interval time) {
-    const DistanceOverTime found = distance_over(pairs_[pair], time);
+    const DistanceOverTime found = distance_over(pairs_[pair].pair, time);
     const double distance = found.in_the_middle.distance;
-    candidates_.push({pair, time, distance, found.lower_bound});
+    candidates_.push({pair, time, distance, found.error, found.lower_bound});
     ++query_count_;
     if (distance < sightings_[pair].distance) {
       sightings_[pair] = {distance, 0.5 * (time.lower + time.upper), found.in_the_middle};
@@ -93,24 +97,25 @@ class ClearanceSearch {
     if (smallest_ < demanded_ && query_count_ >= collision_seen_at_ + kEvidenceQueries) return true;
     const Candidate& lowest = candidates_.top();
     if (!lowest.is_examined()) return lowest.lower_bound >= smallest_;
-    const double error = pairs_[lowest.pair].error;
-    const bool is_close = lowest.lower_bound >= smallest_ - error - kClearanceResolution;
-    const bool is_final = lowest.time.length() <= kShortestInterval || lowest.lower_bound >= lowest.distance - error;
+    const bool is_close = lowest.lower_bound >= smallest_ - lowest.error - kClearanceResolution;
+    const bool is_final =
+        lowest.time.length() <= kShortestInterval || lowest.lower_bound >= lowest.distance - lowest.error;
     return is_final || (is_close && (lowest.lower_bound >= demanded_ || smallest_ < demanded_));
   }
 
   ClosestApproach approach(std::size_t pair) const {
     const Sighting& sighting = sightings_[pair];
-    return {sighting.time, pairs_[pair].first->body.name, pairs_[pair].second->body.name,
+    return {sighting.time, pairs_[pair].pair.first->body.name, pairs_[pair].pair.second->body.name,
             sighting.clearance.point_on_first, sighting.clearance.point_on_second};
   }
 
   Violation collision(std::size_t pair) const {
     const Sighting& sighting = sightings_[pair];
     return {ViolationKind::kClearance,
-            sentence(pairs_[pair].first->body.name, " and ", pairs_[pair].second->body.name, " are ", sighting.distance,
-                     " m apart at ", sighting.time, " s, at (", sighting.clearance.point_on_first.transpose(),
-                     ") and (", sighting.clearance.point_on_second.transpose(), ") m; ", demanded_, " m are demanded"),
+            sentence(pairs_[pair].pair.first->body.name, " and ", pairs_[pair].pair.second->body.name, " are ",
+                     sighting.distance, " m apart at ", sighting.time, " s, at (",
+                     sighting.clearance.point_on_first.transpose(), ") and (",
+                     sighting.clearance.point_on_second.transpose(), ") m; ", demanded_, " m are demanded"),
             "",
             sighting.time,
             sighting.distance,
@@ -118,7 +123,7 @@ class ClearanceSearch {
   }
 
   Violation unknown(const Candidate& lowest) const {
-    const BodyPair& pair = pairs_[lowest.pair];
+    const BodyPair& pair = pairs_[lowest.pair].pair;
     const double middle = 0.5 * (lowest.time.lower + lowest.time.upper);
     return {ViolationKind::kClearanceUnknown,
             sentence("the clearance of ", pair.first->body.name, " and ", pair.second->body.name, " around ", middle,
@@ -130,8 +135,8 @@ class ClearanceSearch {
             demanded_};
   }
 
-  const std::vector<BodyPair>& pairs_;
   double demanded_;
+  std::vector<BoundedPair> pairs_;
   std::vector<Sighting> sightings_;
   std::priority_queue<Candidate> candidates_;
   double smallest_ = std::numeric_limits<double>::infinity();
@@ -143,11 +148,9 @@ class ClearanceSearch {
 
 ClearanceReport check_clearance(const Problem& problem, const std::array<Interpolant, kArmCount>& motions,
                                 double duration, const Budget& budget) {
-  const Interpolant rest({Knot{}});
-  const CarriedBodies bodies = carried_bodies(problem, motions, rest);
-  const std::vector<BodyPair> pairs = pairs_that_may_meet(bodies);
-  ClearanceSearch search(pairs, problem.options.clearance);
-  search.run(duration, budget);
+  const CarriedBodies bodies = carried_bodies(problem, motions);
+  ClearanceSearch search(bodies, duration, problem.options.clearance);
+  search.run(budget);
   return search.report();
 }
 

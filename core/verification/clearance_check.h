@@ -17,13 +17,14 @@ struct ClearanceReport {
   std::vector<Violation> violations;  ///< kClearance, one for each colliding pair seen, or one kClearanceUnknown
 };
 
-/// Proves or refutes the demanded clearance of all pairs of bodies over all of the time: the bodies that move with one
-/// arm against those of the other and against the fixed ones. Bodies of one arm are rigidly connected and fixed bodies
-/// stand still, so these are not compared among themselves. Bodies that touch collide, also where 0 is demanded.
+/// Proves or refutes the demanded clearance of all pairs of bodies from time 0 to `duration`: the bodies that move with
+/// one arm against those of the other, and against those that stand still or move by themselves, at their own times.
+/// Bodies of one arm are rigidly connected, and objects in the world may overlap each other, so these are not compared
+/// among themselves. Bodies that touch collide, also where 0 is demanded.
 ///
 /// Best first: each interval of time of each pair has a proven lower bound on its distance (the better of a speed bound
-/// and separation_bound), the one with the lowest bound is halved, until the lowest bound is as good as the smallest
-/// distance that FCL has seen. Theory, section 5.
+/// and separation_bound), the one with the lowest bound is halved (or cut at a corner of a track), until the lowest
+/// bound is as good as the smallest distance that FCL has seen. Theory, section 5.
 ClearanceReport check_clearance(const Problem& problem, const std::array<Interpolant, kArmCount>& motions,
                                 double duration, const Budget& budget);
 

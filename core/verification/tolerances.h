@@ -42,8 +42,8 @@ inline constexpr double kTorqueColumnTolerance = 1e-6;
 /// A proven peak exceeds the one that is attained by at most this part of the tolerance of its limit.
 inline constexpr double kPeakSlack = 0.25;
 
-/// Share of a torque limit by which a proven peak exceeds the attained one at most: what is reported of a fastest motion
-/// is then within 1e-9 of 1. The search takes two to five times as long as for kPeakSlack.
+/// Share of a torque limit by which a proven peak exceeds the attained one at most: what is reported of a fastest
+/// motion is then within 1e-9 of 1. The search takes two to five times as long as for kPeakSlack.
 inline constexpr double kTorquePeakSlack = 2e-10;
 
 /// Times a piece between two knots is halved at most in search of a peak; what is then not proven counts as it is.
@@ -67,8 +67,8 @@ inline constexpr double kTouching = 1e-9;
 /// s. Intervals of time are not split further: at 10 m/s nothing moves more than 1e-6 m meanwhile.
 inline constexpr double kShortestInterval = 1e-7;
 
-/// Distance queries in one verification, 0.05 s (0.5 s where numbers are huge): a bound on time against hostile
-/// trajectories. Good ones take about 100.
+/// Distance queries in one verification, 0.05 s (0.5 s where numbers are huge or bodies are boxes and cylinders): a
+/// bound on time against hostile trajectories. Good ones take about 100.
 inline constexpr int kMostQueries = 50000;
 
 /// Distance queries spent on better evidence after a collision is certain.

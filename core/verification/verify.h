@@ -69,8 +69,10 @@ struct Verification {
 
 /// Proves or refutes a trajectory for a problem, continuously in time, from nothing but the two of them: end states
 /// (unless `check_end_states` is off), joint range, velocity, torque and written torque along the interpolant, and the
-/// clearance of all pairs of bodies by FCL distances and motion bounds. Theory, section 5. Never throws on bad
-/// trajectories: they come back as violations. Stops when the budget is exhausted, with kClearanceUnknown.
+/// clearance of all pairs of bodies, of any shape, by FCL distances and motion bounds. All of it holds from time 0 to
+/// the end of the plan and says nothing about later: then the arms stand still, and objects that move by themselves may
+/// still come. Theory, section 5. Never throws on bad trajectories: they come back as violations. Stops when the budget
+/// is exhausted, with kClearanceUnknown.
 Verification verify(const Problem& problem, const Trajectory& trajectory, const Budget& budget,
                     bool check_end_states = true);
 

@@ -36,10 +36,6 @@ void Field::complain_missing(std::string_view name, std::string_view remedy) con
   complain(name, fmt::format("is missing: {}", remedy));
 }
 
-void Field::complain_not_served(std::string_view name, std::string_view instead) const {
-  complain(name, fmt::format("is not served by this version: {}", instead));
-}
-
 double Field::number(std::string_view name, double value, const Range& range) const {
   if (!range.contains(value)) {
     complain(name, fmt::format("is {}, must be {}", value, described(range)));

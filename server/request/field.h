@@ -25,9 +25,6 @@ class Field {
   /// Notes that the message `name`, which this field must have, is not there.
   void complain_missing(std::string_view name, std::string_view remedy) const;
 
-  /// Notes that this version does not serve `name` of this field.
-  void complain_not_served(std::string_view name, std::string_view instead) const;
-
   /// The value, which must be in the range (NaN never is).
   double number(std::string_view name, double value, const Range& range) const;
 

@@ -49,8 +49,9 @@ inline constexpr double kDefaultKnotPeriod = 0.01;   // s
 inline constexpr int kDefaultResolution = 181;       // points along a joint range: one a degree of [0, pi]
 inline constexpr int kDefaultCurveResolution = 361;  // points a curve: two a degree
 inline constexpr int kMostObjects = 1000;
-inline constexpr int kMostListed = 16;   // tasks, methods: more are refused unread
-inline constexpr int kLongestName = 64;  // characters
+inline constexpr int kMostPoses = 10000;  // of one track
+inline constexpr int kMostListed = 16;    // tasks, methods: more are refused unread
+inline constexpr int kLongestName = 64;   // characters
 
 /// Positions or velocities of a torque table, and entries in all: two tables fill a request of 4 MB, which is what a
 /// server takes by default, and a solver that follows every bend stays quick.
@@ -62,15 +63,21 @@ inline constexpr int kMostTableEntries = 100000;
 inline constexpr double kFastestDamping = 1e9;
 inline constexpr double kLeastTopSpeed = 1e-9;
 
-/// Most that a limit of a torque table may change with the velocity, over the inertia (1/s): a drive that is faster than
-/// a millisecond is beyond what a controller plays and a plan's knots can show.
+/// Most that a limit of a torque table may change with the velocity, over the inertia (1/s): a drive that is faster
+/// than a millisecond is beyond what a controller plays and a plan's knots can show.
 inline constexpr double kSteepestTable = 1e3;
 
 /// Two arms with this many knots fill 4 MB, and 4 MiB is what a gRPC client takes by default.
 inline constexpr int kMostKnots = 50000;
 
-/// How far a capsule's axis may lean out of the plane of motion, and a mounting may depart from the paper's: room for
-/// the rounding of an angle such as pi (rad, m).
+/// s. Poses of a track are at least this far apart: a last digit of the largest times is 1e-10 s.
+inline constexpr double kShortestStep = 1e-6;
+
+/// rad. Two poses of a track that are turned against each other by half a revolution, less than this, have no shorter
+/// way round that a client could rely on: room for the rounding of its angles.
+inline constexpr double kHalfTurnRoom = 1e-6;
+
+/// How far a mounting may depart from the paper's: room for the rounding of an angle such as pi (rad, m).
 inline constexpr double kPlaneTolerance = 1e-9;
 
 }  // namespace ranges

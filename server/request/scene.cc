@@ -2,57 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <set>
+#include <utility>
 
 #include "server/request/arm.h"
+#include "server/request/pose.h"
 #include "server/request/robot.h"
+#include "server/request/shape.h"
 
 namespace dualarm {
 namespace {
 
 using Arms = std::array<Arm, kArmCount>;
 using Placement = decltype(Object::placement);
-
-Eigen::Isometry3d read_pose(const wire::Pose& message, const Field& field) {
-  const Eigen::Vector3d origin = {field.number("x_m", message.x_m(), ranges::kCoordinate),
-                                  field.number("y_m", message.y_m(), ranges::kCoordinate),
-                                  field.number("z_m", message.z_m(), ranges::kCoordinate)};
-  const double roll = field.number("roll_rad", message.roll_rad(), ranges::kAngle);
-  const double pitch = field.number("pitch_rad", message.pitch_rad(), ranges::kAngle);
-  const double yaw = field.number("yaw_rad", message.yaw_rad(), ranges::kAngle);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() =
-      (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
-       Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
-          .toRotationMatrix();
-  pose.translation() = origin;
-  return pose;
-}
-
-Capsule read_shape(const wire::Object& message, const Field& field) {
-  switch (message.shape_case()) {
-    case wire::Object::kSphere: {
-      const double radius = field.child("sphere").number("radius_m", message.sphere().radius_m(), ranges::kSize);
-      return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), radius};
-    }
-    case wire::Object::kCapsule: {
-      const Field capsule = field.child("capsule");
-      const double half = 0.5 * capsule.number("length_m", message.capsule().length_m(), ranges::kSize);
-      const double radius = capsule.number("radius_m", message.capsule().radius_m(), ranges::kSize);
-      return {{-half, 0.0, 0.0}, {half, 0.0, 0.0}, radius};
-    }
-    case wire::Object::kBox:
-      field.complain_not_served("box", "give a capsule that contains it");
-      break;
-    case wire::Object::kCylinder:
-      field.complain_not_served("cylinder", "give a capsule that contains it");
-      break;
-    case wire::Object::SHAPE_NOT_SET:
-      field.complain_missing("shape", "give a sphere or a capsule");
-  }
-  return {};
-}
 
 AttachedPlacement read_attachment(const wire::Attachment& message, const Field& field, const Arms& arms) {
   AttachedPlacement placement;
@@ -65,32 +27,16 @@ AttachedPlacement read_attachment(const wire::Attachment& message, const Field& 
   return placement;
 }
 
-// Distances of planar capsules have a closed form; a capsule that leans out of the plane has none yet.
-void check_in_plane(const Capsule& shape, const Eigen::Isometry3d& pose, const Field& field) {
-  const Eigen::Vector3d axis = pose.linear() * (shape.end - shape.start);
-  if (!(std::abs(axis.z()) > ranges::kPlaneTolerance * axis.norm())) return;
-  field.complain("pitch_rad",
-                 "leans the capsule's axis out of the plane of motion, which is not served by this version: "
-                 "keep the axis parallel to the world's x-y plane, or give a sphere");
-}
-
-Placement read_placement(const wire::Object& message, const Field& field, const Arms& arms, const Capsule& shape) {
+Placement read_placement(const wire::Object& message, const Field& field, const Arms& arms) {
   switch (message.placement_case()) {
-    case wire::Object::kFixed: {
-      const FixedPlacement fixed = {read_pose(message.fixed(), field.child("fixed"))};
-      check_in_plane(shape, fixed.pose, field.child("fixed"));
-      return fixed;
-    }
-    case wire::Object::kAttached: {
-      const AttachedPlacement attached = read_attachment(message.attached(), field.child("attached"), arms);
-      check_in_plane(shape, attached.pose_in_link, field.child("attached").child("pose_in_link"));
-      return attached;
-    }
+    case wire::Object::kFixed:
+      return FixedPlacement{read_pose(message.fixed(), field.child("fixed"))};
+    case wire::Object::kAttached:
+      return read_attachment(message.attached(), field.child("attached"), arms);
     case wire::Object::kMoving:
-      field.complain_not_served("moving", "give fixed objects that cover where it can be");
-      break;
+      return MovingPlacement{read_track(message.moving(), field.child("moving"))};
     case wire::Object::PLACEMENT_NOT_SET:
-      field.complain_missing("placement", "give fixed or attached");
+      field.complain_missing("placement", "give fixed, attached or moving");
   }
   return {};
 }
@@ -112,8 +58,8 @@ std::vector<Object> read_scene(const wire::Scene& message, const Field& scene, c
     if (!object.name().empty() && !taken.insert(object.name()).second) {
       field.complain("name", fmt::format("is {}, which another object or an arm has already", quoted(object.name())));
     }
-    const Capsule shape = read_shape(object, field);
-    objects.push_back({object.name(), shape, read_placement(object, field, arms, shape)});
+    Shape shape = read_shape(object, field);
+    objects.push_back({object.name(), std::move(shape), read_placement(object, field, arms)});
   }
   return objects;
 }

@@ -26,8 +26,9 @@ std::vector<fs::path> scenario_files() {
 }
 
 TEST(Scenarios, AreAllThere) {
-  for (const char* name : {"paper_case1", "paper_case2", "paper_case3", "paper_retreat", "paper_object",
-                           "portrait_paper", "moving_start", "torque_speed", "weak_swing", "tower_cranes", "wipers"}) {
+  for (const char* name : {"paper_case1", "paper_case2", "paper_case3", "paper_retreat", "paper_object", "carried_box",
+                           "box_wall", "cylinder_post", "conveyor", "portrait_paper", "moving_start", "torque_speed",
+                           "weak_swing", "tower_cranes", "wipers"}) {
     EXPECT_TRUE(fs::exists(fs::path(DUALARM_SOURCE_DIR) / "scenarios" / (std::string(name) + ".json"))) << name;
   }
 }

@@ -4,6 +4,9 @@
 
 #include <numbers>
 
+#include "geometry/support.h"
+#include "tests/geometry/random_shapes.h"
+
 namespace dualarm {
 namespace {
 
@@ -40,6 +43,24 @@ TEST(Chain, PlacingMovesBothEndsAndKeepsTheRadius) {
   EXPECT_TRUE(capsule.start.isApprox(Eigen::Vector3d(1.0, 1.0, 0.5), 1e-15));
   EXPECT_TRUE(capsule.end.isApprox(Eigen::Vector3d(1.0, 2.0, 0.6), 1e-15));
   EXPECT_EQ(capsule.radius, 0.25);
+}
+
+TEST(Chain, PlacingAnyShapeKeepsItsKindAndMovesEachOfItsPoints) {
+  constexpr std::uint64_t kSeed = 59;
+  RandomShapes shapes(kSeed);
+  for (int i = 0; i < 600; ++i) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", shape " << i);
+    const Shape shape = shapes.shape(static_cast<Kind>(i % 3), 2.0);
+    const Eigen::Isometry3d pose = shapes.pose(3.0);
+    const Shape moved = placed(shape, pose);
+    ASSERT_EQ(moved.index(), shape.index());
+    for (int j = 0; j < 10; ++j) {
+      const Eigen::Vector3d direction = shapes.direction();
+      const double reached = direction.dot(farthest_point(moved, direction));
+      const double expected = direction.dot(pose * farthest_point(shape, pose.linear().transpose() * direction));
+      ASSERT_NEAR(reached, expected, 1e-13 + rounding_of_rim(shape));
+    }
+  }
 }
 
 }  // namespace

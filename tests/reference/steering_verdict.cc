@@ -77,7 +77,7 @@ class RefusalJudge {
       case BlockReason::kStartTooFast:
         return !arm_.velocity.contains(start_.velocity) || leaves(start_, false);
       case BlockReason::kGoalTooFast:
-        return !arm_.velocity.contains(goal_.velocity) || leaves(goal_, true);
+        return !arm_.velocity.contains(goal_.velocity) || leaves(goal_, true) || comes_from_above();
       case BlockReason::kVelocityLimit:
         return pushes_on() || runs_out(goal_, false) || runs_out(start_, true);
       case BlockReason::kStalls:
@@ -101,6 +101,14 @@ class RefusalJudge {
     const double margin = kAtTheEdge * arm_.joint_range.length();
     return !stop || stop->position <= arm_.joint_range.lower + margin ||
            stop->position >= arm_.joint_range.upper - margin;
+  }
+
+  /// Whether the goal is on its velocity limit where even full drive slows the arm down: it would come from above it.
+  bool comes_from_above() const {
+    const double direction = goal_.velocity > 0.0 ? 1.0 : -1.0;
+    const double limit = direction > 0.0 ? arm_.velocity.upper : arm_.velocity.lower;
+    return goal_.velocity / limit >= 1.0 - kAtTheEdge &&
+           direction * own_.acceleration(static_cast<int>(direction), goal_.position, goal_.velocity) <= 0.0;
   }
 
   /// Whether at the place named the velocity is at its limit and full braking still speeds the arm up.

@@ -191,6 +191,25 @@ struct CoreDistance {
   static Tube core(const Cylinder& cylinder) { return tube_of(cylinder); }
 };
 
+/// How far a shape reaches in a unit direction, measured from the world's origin.
+struct Farthest {
+  Point direction;
+
+  long double operator()(const Capsule& capsule) const {
+    return std::max(capsule.start.cast<long double>().dot(direction), capsule.end.cast<long double>().dot(direction)) +
+           capsule.radius;
+  }
+  long double operator()(const Box& box) const {
+    const Block block = block_of(box);
+    return block.centre.dot(direction) + (block.axes.transpose() * direction).cwiseAbs().dot(block.half);
+  }
+  long double operator()(const Cylinder& cylinder) const {
+    const Tube tube = tube_of(cylinder);
+    return tube.centre.dot(direction) + tube.half * std::abs(tube.axis.dot(direction)) +
+           tube.radius * tube.axis.cross(direction).norm();
+  }
+};
+
 long double rounding(const Shape& shape) {
   const auto* capsule = std::get_if<Capsule>(&shape);
   return capsule != nullptr ? static_cast<long double>(capsule->radius) : 0.0L;
@@ -209,6 +228,11 @@ long double exact_distance(const Shape& first, const Shape& second) {
     return exact_distance(std::get<Capsule>(first), std::get<Capsule>(second));
   }
   return std::visit(CoreDistance{}, first, second) - rounding(first) - rounding(second);
+}
+
+long double proven_distance(const Shape& first, const Shape& second, const Eigen::Vector3d& direction) {
+  const Point normal = direction.cast<long double>().normalized();
+  return -std::visit(Farthest{-normal}, first) - std::visit(Farthest{normal}, second);
 }
 
 }  // namespace dualarm

@@ -13,4 +13,8 @@ long double exact_distance(const Capsule& first, const Capsule& second);
 /// capsule's axis, all of a box or cylinder) overlap they count as 0 apart; a capsule's radius is taken off.
 long double exact_distance(const Shape& first, const Shape& second);
 
+/// What a plane at right angles to a direction (from the second to the first, any length but zero) proves about the
+/// distance of two shapes (m, perhaps negative), in long double. No point of one is closer to a point of the other.
+long double proven_distance(const Shape& first, const Shape& second, const Eigen::Vector3d& direction);
+
 }  // namespace dualarm

@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "tests/support/exact_distance.h"
+#include "tests/support/independent_clearance.h"
 
 namespace dualarm {
 namespace {
@@ -184,59 +184,12 @@ void check_arm(const Arm& arm, const Task& task, const ArmTrajectory& motion, st
   check_dynamics(arm, knots, first, knots.size() - 1, complaints);
 }
 
-/// Position by the six basis polynomials of quintic Hermite interpolation. `k` moves on with the time.
-double position_at(const std::vector<Knot>& knots, std::size_t& k, double time) {
-  while (k + 2 < knots.size() && knots[k + 1].time <= time) ++k;
-  const Knot& a = knots[k];
-  const Knot& b = knots[k + 1];
-  const double h = b.time - a.time;
-  if (h <= 0.0) return b.position;
-  const double u = (time - a.time) / h;
-  const double w = 1.0 - u;
-  const double u3 = u * u * u;
-  const double w3 = w * w * w;
-  return w3 * (1.0 + 3.0 * u + 6.0 * u * u) * a.position + u3 * (1.0 + 3.0 * w + 6.0 * w * w) * b.position +
-         h * (u * w3 * (1.0 + 3.0 * u) * a.velocity - w * u3 * (1.0 + 3.0 * w) * b.velocity) +
-         0.5 * h * h * (u * u * w3 * a.acceleration + w * w * u3 * b.acceleration);
-}
-
-Capsule in_world(const Capsule& capsule, const Base& base, double position) {
-  const double direction = base.heading + base.sense() * position;
-  const double c = std::cos(direction);
-  const double s = std::sin(direction);
-  const auto moved = [&](const Eigen::Vector3d& p) {
-    return Eigen::Vector3d(base.position.x() + c * p.x() - s * p.y(), base.position.y() + s * p.x() + c * p.y(),
-                           base.position.z() + p.z());
-  };
-  return {moved(capsule.start), moved(capsule.end), capsule.radius};
-}
-
-void check_pairs(const std::vector<Body>& firsts, const std::vector<Body>& seconds, double demanded, double time,
-                 std::vector<std::string>& complaints) {
-  for (const Body& first : firsts) {
-    for (const Body& second : seconds) {
-      const auto distance = static_cast<double>(exact_distance(first.shape, second.shape));
-      if (distance >= demanded - kDistanceTolerance && distance > kTouching) continue;
-      complaints.push_back(words(first.name, " and ", second.name, " are ", distance, " m apart at ", time, " s"));
-    }
-  }
-}
-
 void check_clearance(const Problem& problem, const Trajectory& trajectory, std::vector<std::string>& complaints) {
-  const std::vector<Body> fixed = fixed_bodies(problem);
-  const double duration = trajectory[0].knots.back().time;
-  std::array<std::vector<Body>, kArmCount> bodies = {moving_bodies(problem, 0), moving_bodies(problem, 1)};
-  std::array<std::size_t, kArmCount> knot = {};
-  for (int instant = 0; instant < kInstants && complaints.empty(); ++instant) {
-    const double time = duration * instant / (kInstants - 1);
-    std::array<std::vector<Body>, kArmCount> placed_bodies = bodies;
-    for (int i = 0; i < kArmCount; ++i) {
-      const double position = position_at(trajectory[i].knots, knot[i], time);
-      for (Body& body : placed_bodies[i]) body.shape = in_world(std::get<Capsule>(body.shape), problem.arms[i].base, position);
-      check_pairs(placed_bodies[i], fixed, problem.options.clearance, time, complaints);
-    }
-    check_pairs(placed_bodies[0], placed_bodies[1], problem.options.clearance, time, complaints);
-  }
+  if (!complaints.empty()) return;
+  const SampledApproach found = sampled_approach(problem, trajectory, kInstants);
+  if (found.distance >= problem.options.clearance - kDistanceTolerance && found.distance > kTouching) return;
+  complaints.push_back(
+      words(found.first_body, " and ", found.second_body, " are ", found.distance, " m apart at ", found.time, " s"));
 }
 
 }  // namespace

@@ -162,5 +162,63 @@ TEST(BestStartTimes, EqualABruteForceOverAllPairsOfStartTimes) {
   EXPECT_GT(none, 500);
 }
 
+TEST(BestStartTimes, WaitBothWhereMovingObjectsPassFirst) {
+  const SafeStarts safe = {IntervalSet({{-kInfinity, -0.5}, {0.25, kInfinity}}), IntervalSet({{2.0, kInfinity}}),
+                           IntervalSet({{0.0, 0.5}, {1.0, 1.25}, {5.0, 6.0}})};
+  const auto times = best_start_times(safe, {2.0}, {2.0}, kInfinity);
+  ASSERT_TRUE(times);
+  EXPECT_EQ(times->first, 2.0);
+  EXPECT_EQ(times->second, 0.0);
+  EXPECT_EQ(times->duration, 4.0);
+  EXPECT_FALSE(best_start_times(safe, {2.0}, {2.0}, 1.9));
+  EXPECT_FALSE(best_start_times(safe, {2.0, false, true}, {2.0}, kInfinity));
+}
+
+TEST(BestStartTimes, WithMovingObjectsEqualABruteForceOverAllPairsOfStartTimes) {
+  constexpr std::uint64_t kSeed = 4;
+  SCOPED_TRACE(kSeed);
+  std::mt19937_64 generator(kSeed);
+  const auto below = [&](int count) { return static_cast<int>(generator() % count); };
+  const auto intervals = [&](int least) {
+    std::vector<Interval> drawn;
+    for (int k = below(4); k >= 0; --k) {
+      const int from = least + below(60);
+      drawn.push_back({static_cast<double>(from), static_cast<double>(from + below(15))});
+    }
+    return IntervalSet(drawn);
+  };
+  int found = 0;
+  int none = 0;
+  for (int i = 0; i < 3000; ++i) {
+    SCOPED_TRACE(i);
+    const SafeStarts safe = {intervals(-30), intervals(-10), intervals(-10)};
+    const Timing first = {static_cast<double>(below(30)), below(4) > 0, below(4) > 0};
+    const Timing second = {static_cast<double>(below(30)), below(4) > 0, below(4) > 0};
+    const int longest_wait = below(60);
+    double best = kInfinity;
+    double least_wait = kInfinity;
+    for (int t1 = 0; t1 <= (first.may_wait ? longest_wait : 0); ++t1) {
+      for (int t2 = 0; t2 <= (second.may_wait ? longest_wait : 0); ++t2) {
+        const double end = std::max(t1 + first.duration, t2 + second.duration);
+        if (!first.may_be_early && t1 + first.duration != end) continue;
+        if (!second.may_be_early && t2 + second.duration != end) continue;
+        if (!safe.first.contains(t1) || !safe.second.contains(t2) || !safe.delays.contains(t2 - t1)) continue;
+        if (end > best) continue;
+        least_wait = end < best ? t1 + t2 : std::min<double>(least_wait, t1 + t2);
+        best = end;
+      }
+    }
+    const auto times = best_start_times(safe, first, second, longest_wait);
+    ASSERT_EQ(times.has_value(), best < kInfinity);
+    ++(times ? found : none);
+    if (!times) continue;
+    EXPECT_EQ(times->duration, best);
+    EXPECT_EQ(times->first + times->second, least_wait);
+    EXPECT_TRUE(safe.first.contains(times->first) && safe.second.contains(times->second));
+  }
+  EXPECT_GT(found, 500);
+  EXPECT_GT(none, 500);
+}
+
 }  // namespace
 }  // namespace dualarm

@@ -49,7 +49,8 @@ TEST(Connect, LetsTheFasterArmWaitWhereBothAtOnceWouldCollide) {
   const SearchSpace search(retreat_problem());
   int waited = 0;
   for (double second_goal = 5.0; second_goal < 45.0; second_goal += 1.0) {
-    const auto edge = connect(search.arms.both(), search.proof, degrees(20.0, 70.0), degrees(80.0, second_goal));
+    const auto edge =
+        connect(search.arms.both(), search.proof, degrees(20.0, 70.0), degrees(80.0, second_goal), {0.0, 0.0});
     if (!edge) continue;
     EXPECT_NEAR(edge->duration, monotone_time(search.arms.both(), degrees(20.0, 70.0), degrees(80.0, second_goal)),
                 1e-12);

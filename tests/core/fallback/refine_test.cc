@@ -25,13 +25,13 @@ TEST(Refinement, ShortensAClumsyPlanToNearlyTheBestAndKeepsItFree) {
   const ArmSystems arms(problem);
   const ClearanceProof proof(problem, 1e-4);
   const Itinerary clumsy = clumsy_retreat(arms.both());
-  ASSERT_TRUE(proof.proves(clumsy.tracks()));
+  ASSERT_TRUE(proof.proves(clumsy.tracks(), {0.0, clumsy.duration()}));
   Random random(1);
   const Budget unlimited;
   Refinement refinement(arms.both(), proof, clumsy, 0.0, random, unlimited);
   refinement.run(6000);
   EXPECT_LT(refinement.best().duration(), 1.05 * kRetreatBound);
-  EXPECT_TRUE(proof.proves(refinement.best().tracks()));
+  EXPECT_TRUE(proof.proves(refinement.best().tracks(), {0.0, refinement.best().duration()}));
   EXPECT_NEAR(refinement.evaluations(), 6000, 20);
   expect_consistent(problem, refinement.best().schedule(), refinement.best().duration());
 }

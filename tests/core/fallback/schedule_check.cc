@@ -70,7 +70,14 @@ double position_at(const std::vector<Instant>& instants, double time) {
   return from.position + u * (v0 + u * (3.0 * rise - 2.0 * v0 - v1 + u * (v0 + v1 - 2.0 * rise)));
 }
 
-double gap_at(const Problem& problem, const JointPair& positions) {
+Eigen::Vector3d middle_of(const Object& ball, double time) {
+  if (const auto* moving = std::get_if<MovingPlacement>(&ball.placement)) {
+    return moving->track.pose_at(time).translation();
+  }
+  return std::get<FixedPlacement>(ball.placement).pose.translation();
+}
+
+double gap_at(const Problem& problem, const JointPair& positions, double time) {
   std::array<Point, kArmCount> bases;
   std::array<Point, kArmCount> tips;
   for (int arm = 0; arm < kArmCount; ++arm) {
@@ -80,7 +87,7 @@ double gap_at(const Problem& problem, const JointPair& positions) {
   double gap =
       segment_to_segment(bases[0], tips[0], bases[1], tips[1]) - problem.arms[0].radius - problem.arms[1].radius;
   for (const Object& object : problem.objects) {
-    const Eigen::Vector3d centre = std::get<FixedPlacement>(object.placement).pose.translation();
+    const Eigen::Vector3d centre = middle_of(object, time);
     for (int arm = 0; arm < kArmCount; ++arm) {
       const double apart = point_to_segment({centre.x(), centre.y()}, bases[arm], tips[arm]);
       gap = std::min(gap, apart - problem.arms[arm].radius - std::get<Capsule>(object.shape).radius);
@@ -96,7 +103,8 @@ double smallest_gap(const Problem& problem, const Schedule& schedule, double dur
   double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= count; ++i) {
     const double time = duration * i / count;
-    smallest = std::min(smallest, gap_at(problem, {position_at(instants[0], time), position_at(instants[1], time)}));
+    smallest =
+        std::min(smallest, gap_at(problem, {position_at(instants[0], time), position_at(instants[1], time)}, time));
   }
   return smallest;
 }

@@ -7,7 +7,8 @@
 
 namespace dualarm {
 
-/// Smallest gap (m) between the two links and between links and fixed balls, at `count` evenly spaced instants from 0
+/// Smallest gap (m) between the two links and between links and balls that stand
+/// or move by themselves, at `count` evenly spaced instants from 0
 /// to `duration`. Own plane geometry and own interpolation between states of the exact motions.
 double smallest_gap(const Problem& problem, const Schedule& schedule, double duration, int count);
 

@@ -84,6 +84,26 @@ TEST(MovingBodies, AreTheLinkAndWhatTheArmCarries) {
   EXPECT_TRUE(fixed_bodies(problem).empty());
 }
 
+TEST(FixedAndTrackedBodies, AreTheObjectsThatNoArmCarries) {
+  Problem problem = two_arms();
+  Box box;
+  box.half_extents = {0.1, 0.2, 0.3};
+  FixedPlacement there;
+  there.pose = Eigen::Translation3d(1.0, 2.0, 3.0) * Eigen::AngleAxisd(0.5 * kPi, Eigen::Vector3d::UnitZ());
+  MovingPlacement door;
+  door.track = PoseTrack({{0.0, Eigen::Isometry3d::Identity()}, {1.0, there.pose}});
+  problem.objects = {{"door", box, door}, carried(0, {2.0, 0.0, 0.0}, 0.0, 1.0, 0.1, 3.0), {"crate", box, there}};
+  const std::vector<Body> fixed = fixed_bodies(problem);
+  ASSERT_EQ(fixed.size(), 1U);
+  EXPECT_EQ(fixed[0].name, "crate");
+  EXPECT_TRUE(std::get<Box>(fixed[0].shape).pose.isApprox(there.pose));
+  const std::vector<TrackedBody> tracked = tracked_bodies(problem);
+  ASSERT_EQ(tracked.size(), 1U);
+  EXPECT_EQ(tracked[0].body.name, "door");
+  EXPECT_TRUE(tracked[0].track->pose_at(2.0).isApprox(there.pose));
+  EXPECT_EQ(tracked[0].track, &std::get<MovingPlacement>(problem.objects[0].placement).track);
+}
+
 TEST(LoadedArm, IsTheArmItselfWithoutLoad) {
   const Problem problem = two_arms();
   EXPECT_EQ(loaded_arm(problem, 0).inertia, 5.0);

@@ -45,14 +45,19 @@ TEST(PassageBound, LooksAtNoObstacleThatTheFastestMotionsDoNotMeet) {
 }
 
 TEST(PassageBound, CountsTheFasterWayAroundAnObstacleThatIsOpenOnBothSides) {
-  Problem problem = paper_problem({30, 60}, {60, 30}, 0.1);
-  const double around_tip = bound_of(problem).duration;
-  for (Arm& arm : problem.arms) arm.joint_range = {-std::numbers::pi, std::numbers::pi};
-  const PassageBound open = bound_of(problem);
-  ASSERT_EQ(open.ways.size(), 2u);
-  EXPECT_NEAR(open.duration, around_tip, 1e-9);
-  EXPECT_LE(open.ways[0].bound.duration, open.ways[1].bound.duration);
-  EXPECT_FALSE(open.ways[1].gate.runs_up);
+  const double around_tip = bound_of(paper_problem({30, 60}, {60, 30}, 0.1)).duration;
+  for (const double elbows : {1.0, -1.0}) {  // up or down; the paper's gravity is the same for both
+    for (const double low : {30, 60}) {
+      Problem problem = paper_problem({elbows * low, elbows * (90 - low)}, {elbows * (90 - low), elbows * low}, 0.1);
+      for (Arm& arm : problem.arms) arm.joint_range = {-std::numbers::pi, std::numbers::pi};
+      const PassageBound open = bound_of(problem);
+      ASSERT_EQ(open.ways.size(), 2u);
+      EXPECT_NEAR(open.duration, around_tip, 1e-9);
+      EXPECT_GT(open.ways[1].bound.duration, open.ways[0].bound.duration + 0.1);
+      EXPECT_EQ(open.ways[0].gate.runs_up, elbows > 0.0);
+      EXPECT_EQ(open.ways[1].gate.runs_up, elbows < 0.0);
+    }
+  }
 }
 
 TEST(PassageBound, IsInfiniteWhereTheForbiddenSetPartsStartFromGoal) {

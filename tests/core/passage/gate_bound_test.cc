@@ -55,6 +55,33 @@ TEST(GateBound, IsTheSameWithTimeReversed) {
   EXPECT_NEAR(bound.duration, reverse.duration, 1e-9);
 }
 
+TEST(GateBound, IsTheSameFromThatOfAGateNearBy) {
+  for (const auto& [start, goal] : {std::pair{5.0, 50.0}, {10.0, 40.0}, {20.0, 60.0}}) {
+    const SceneTravellers scene(paper_problem({start, 60}, {goal, 10}));
+    const Gate gate = {0, kTip - 0.01, kTip + 1e-3, true};
+    const GateBound near_by = gate_bound(scene.travellers, {0, kTip, kTip, true});
+    const GateBound cold = gate_bound(scene.travellers, gate);
+    EXPECT_NEAR(gate_bound(scene.travellers, gate, &near_by).duration, cold.duration, 1e-10);
+    // A floor above the bound hides it, one below does not.
+    EXPECT_LE(gate_bound(scene.travellers, gate, &near_by, 1.1 * cold.duration).duration, 1.1 * cold.duration);
+    EXPECT_NEAR(gate_bound(scene.travellers, gate, &near_by, 0.999 * cold.duration).duration, cold.duration, 1e-10);
+  }
+}
+
+TEST(GateBound, KnowsHowItGrowsAlongABorder) {
+  const SceneTravellers scene(paper_problem({5, 60}, {50, 10}));
+  for (const double corner_slope : {-1.0, 0.0, 2.0}) {
+    const auto at = [&](double way) {
+      return gate_bound(scene.travellers, {0, kTip + way, kTip - 0.01 + corner_slope * way, true});
+    };
+    const GateBound here = at(0.0);
+    const Gate gate = {0, kTip, kTip - 0.01, true};
+    const double slope = here.price * crossing_slope(gate, corner_slope, here.early_arm, here.early, here.late);
+    EXPECT_NEAR(slope, (at(1e-4).duration - at(-1e-4).duration) / 2e-4, 1e-4);
+    EXPECT_GT(here.price, 0.1);
+  }
+}
+
 TEST(GateBound, AsksForTheDetourOnlyOfAGateOnWhichTheOtherArmStands) {
   // Arm 2 is beyond the corner all the time; arm 1 has to come to the gate and back.
   const SceneTravellers scene(paper_problem({20, 100}, {30, 110}));

@@ -68,6 +68,16 @@ TEST(RelaxedArm, IsTheArmItselfWhereItIsStrongWithinReach) {
   EXPECT_GT(complete_until(*far), 0.0);
 }
 
+TEST(RelaxedArm, BrakesWithFrictionsHelpInBothDirections) {
+  Problem problem = paper_problem({10, 90}, {40, 60});
+  problem.arms[0].viscous_friction = 3.0;
+  problem.arms[0].velocity = {-1.0, 2.0};
+  const auto relaxed = relaxed_arm(problem.arms[0], problem.tasks[0], 2.0);
+  ASSERT_TRUE(relaxed);
+  EXPECT_EQ(std::get<Interval>(relaxed->torque), (Interval{-66.0, 63.0}));
+  EXPECT_EQ(relaxed->viscous_friction, 0.0);
+}
+
 TEST(CompleteUntil, CountsGravitysSlopeInsideTheRangeOnly) {
   Arm arm = paper_problem({10, 90}, {40, 60}).arms[0];
   const double stiffness = 29.43 / 39.0;
@@ -76,6 +86,21 @@ TEST(CompleteUntil, CountsGravitysSlopeInsideTheRangeOnly) {
   EXPECT_NEAR(complete_until(arm), std::numbers::pi / std::sqrt(0.5 * stiffness), 1e-6);
   arm.joint_range = {in_radians(100.0), in_radians(120.0)};
   EXPECT_TRUE(std::isinf(complete_until(arm)));
+}
+
+TEST(PassageProof, LosesNothingWhereItBeginsAtTheGateOfAWiderSet) {
+  for (const auto& [start, goal] : {std::pair{std::array{5.0, 60.0}, std::array{50.0, 10.0}},
+                                    {std::array{10.0, 40.0}, std::array{40.0, 10.0}},
+                                    {std::array{20.0, 70.0}, std::array{60.0, 20.0}},
+                                    {std::array{30.0, 60.0}, std::array{60.0, 30.0}}}) {
+    const Problem problem = paper_problem(start, goal, 1e-3);
+    const SceneTravellers scene(problem);
+    const PassageBound wider = passage_bound(ForbiddenPlane(problem, 1e-4), scene.travellers, Budget());
+    const double cold = passage_proof(problem, 0.0, wider.duration, Budget()).duration;
+    const double begun = passage_proof(problem, 0.0, wider.duration, Budget(), wider.ways).duration;
+    EXPECT_GT(begun, cold * (1.0 - 1e-8));
+    EXPECT_LE(begun, wider.duration);
+  }
 }
 
 }  // namespace

@@ -42,6 +42,16 @@ TEST_P(ProfileTest, VelocityIsTheSlopeOfThePosition) {
   }
 }
 
+TEST_P(ProfileTest, PassesPositionsWithTheVelocityOfItsClock) {
+  const Leg& leg = profile_.legs().front();
+  for (int i = 1; i < 100; ++i) {
+    const JointState state = profile_.at(profile_.duration() * i / 100.0);
+    EXPECT_NEAR(profile_.velocity_at(leg, state.position), state.velocity, 1e-9) << i;
+  }
+  EXPECT_EQ(profile_.velocity_at(leg, leg.start), 0.0);
+  EXPECT_EQ(profile_.velocity_at(leg, leg.goal), 0.0);
+}
+
 TEST_P(ProfileTest, StandsStillOutsideItsClock) {
   EXPECT_EQ(profile_.at(-1.0), (JointState{GetParam().first, 0.0}));
   EXPECT_EQ(profile_.at(profile_.duration() + 1.0), (JointState{GetParam().second, 0.0}));

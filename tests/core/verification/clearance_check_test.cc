@@ -169,9 +169,10 @@ TEST(ClearanceCheck, AnExhaustedBudgetLeavesItUnknown) {
   EXPECT_LE(report.distance_query_count, 3);
 }
 
-/// Two arms that carry many objects each, within reach of each other.
+/// Two parallel arms that carry many objects each, so that boxes around them overlap.
 Problem crowded_problem(int objects) {
-  Problem problem = paper_problem({90.0, 90.0}, {90.0, 90.0}, 0.1, 0.05);
+  Problem problem = paper_problem({60.0, 120.0}, {60.0, 120.0}, 0.1, 0.05);
+  problem.arms[1].base.position.x() = 2.0;
   for (int i = 0; i < objects; ++i) {
     problem.objects.push_back({"object" + std::to_string(i), Capsule{{1.0, 0.1, 0.0}, {5.0, 0.1, 0.0}, 0.01},
                                AttachedPlacement{i % kArmCount, Eigen::Isometry3d::Identity(), 0.0}});

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "geometry/body.h"
+#include "server/request/field.h"
+#include "server/wire.h"
+
+namespace dualarm {
+
+/// The shape of an object in the object's own frame. What is wrong is noted on `object`.
+Shape read_shape(const wire::Object& message, const Field& object);
+
+}  // namespace dualarm
