@@ -32,7 +32,8 @@ struct Certificate {
   Claim claim = Claim::kGap;
   LowerBoundSource source = LowerBoundSource::kFastestMotions;
   std::optional<Gate> gate;
-  IntervalSet safe_start_delays;  ///< s, start of arm 2 minus start of arm 1, for both arms' fastest motions
+  IntervalSet safe_start_delays;  ///< s, start of arm 2 minus start of arm 1, for both arms' fastest motions; moving
+                                  ///< objects left out
 };
 
 /// A verified motion of both arms.

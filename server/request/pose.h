@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "core/model/pose_track.h"
 #include "server/request/field.h"
 #include "server/wire.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/body.h"
+#include "core/model/scene.h"
 #include "server/request/field.h"
 #include "server/wire.h"
 

@@ -74,7 +74,7 @@ TEST(Planner, RetreatsWhereTheExtremalMotionsClipTheSet) {
   for (Arm& arm : problem.arms) arm.inertia = 12.0;
   const Plan found = must_plan(problem);
   EXPECT_EQ(found.method, Method::kPassage);
-  EXPECT_LT(found.duration, 1.270);  // a transcription found 1.2661
+  EXPECT_LT(found.duration, 1.270);  // a transcription finds 1.2654
   EXPECT_NEAR(found.certificate.lower_bound, 1.2405, 1e-4);
   EXPECT_EQ(found.certificate.claim, Claim::kGap);
 }

@@ -51,7 +51,7 @@ TEST(PassagePlan, SeeksDetoursWhereTheExtremalMotionsClipTheSet) {
   const Planned plan = planned(problem);
   EXPECT_GT(plan.duration, plan.extremal * (1.0 + 1e-3));
   EXPECT_NEAR(plan.bound.duration, 1.2405, 1e-4);  // theory.md, section 4
-  EXPECT_LT(plan.duration, 1.270);                 // a transcription found 1.2661
+  EXPECT_LT(plan.duration, 1.270);                 // a transcription finds 1.2654
 }
 
 TEST(PassagePlan, KeepsTheLargestWait) {
