@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
+#include <variant>
 
 #include "core/verification/tolerances.h"
 #include "geometry/support.h"
@@ -58,14 +60,28 @@ Halves bounds(const TurningBody& carrier, const TurningBody& other, const Eigen:
           nearest - std::max(in_the_middle, farthest_at(half_interval))};
 }
 
+/// Upper bound on n.y over all points y of a capsule and all of the interval, for n that stands still: each end of its
+/// axis goes no farther than its own distance from the axis of turning lets it. Infinite for other shapes.
+double most_along(const TurningBody& body, const Eigen::Vector3d& normal, double half_interval) {
+  const auto* capsule = std::get_if<Capsule>(&body.shape);
+  if (capsule == nullptr) return std::numeric_limits<double>::infinity();
+  const auto most_of_end = [&](const Eigen::Vector3d& end) {
+    const double speed = body.most_rate * body.axis.cross(end - body.origin).norm() + body.velocity.norm();
+    return normal.dot(end) + half_interval * speed;
+  };
+  return std::max(most_of_end(capsule->start), most_of_end(capsule->end)) + capsule->radius;
+}
+
 }  // namespace
 
 double separation_bound(const TurningBody& first, const TurningBody& second, const Eigen::Vector3d& normal,
                         double half_interval) {
   const Halves with_first = bounds(first, second, normal, half_interval);
   const Halves with_second = bounds(second, first, -normal, half_interval);
-  return std::min(std::max(with_first.before, with_second.before), std::max(with_first.after, with_second.after)) -
-         kSeparationRounding;
+  const double turning =
+      std::min(std::max(with_first.before, with_second.before), std::max(with_first.after, with_second.after));
+  const double standing = -most_along(first, -normal, half_interval) - most_along(second, normal, half_interval);
+  return std::max(turning, standing) - kSeparationRounding;
 }
 
 }  // namespace dualarm

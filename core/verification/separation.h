@@ -27,7 +27,9 @@ struct TurningBody {
 /// first), and in each half of the interval n turns with the first or with the second body, whichever proves more:
 /// where two faces roll over each other, a corner of the one is nearest before and one of the other after. n.(x - y)
 /// has a known derivative in the middle and a bounded second one, so that the error of the bound falls with the square
-/// of the interval where a speed bound's falls with the interval. Theory, section 5.
+/// of the interval where a speed bound's falls with the interval. For two capsules n may also stand still: then each
+/// end of an axis counts with its own speed, so that links whose joints are their nearest points are proven apart at
+/// once. Theory, section 5.
 double separation_bound(const TurningBody& first, const TurningBody& second, const Eigen::Vector3d& normal,
                         double half_interval);
 

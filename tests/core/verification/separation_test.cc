@@ -143,6 +143,19 @@ TEST(Separation, HoldsForAnyNormal) {
   }
 }
 
+TEST(Separation, LosesNothingWhereLinksAreNearestAtTheirJoints) {
+  Turning left;
+  left.shape = Capsule{Eigen::Vector3d::Zero(), {6.0, 0.0, 0.0}, 0.1};
+  left.angle = 2.0;
+  left.rate = 1.5;
+  left.rate_change = -3.0;
+  Turning right = left;
+  right.origin = {8.0, 0.0, 0.0};
+  right.angle = 0.9;
+  EXPECT_NEAR(separation_bound(left.body(0.05), right.body(0.05), -Eigen::Vector3d::UnitX(), 0.05), 7.8,
+              2.0 * kSeparationRounding);
+}
+
 TEST(Separation, IsTheDistanceForAnInstant) {
   RandomTurning random(8);
   for (int i = 0; i < 1500; ++i) {
