@@ -64,9 +64,7 @@ void Simultaneous(benchmark::State& state) {
 }
 BENCHMARK(Simultaneous)->Unit(benchmark::kMicrosecond);
 
-void Delay(benchmark::State& state) {
-  plan_all(state, paper_problem({30, 60}, {60, 30}, 0.1), Method::kDelay, 1.5);
-}
+void Delay(benchmark::State& state) { plan_all(state, paper_problem({30, 60}, {60, 30}, 0.1), Method::kDelay, 1.5); }
 BENCHMARK(Delay)->Unit(benchmark::kMicrosecond);
 
 void Passage(benchmark::State& state) {

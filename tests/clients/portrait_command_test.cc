@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "dualarm/planning/v1/planning_service.pb.h"
-#include "tests/clients/program_run.h"
+#include "tests/clients/command_fixture.h"
 #include "tests/clients/scenarios.h"
 #include "tests/clients/svg_paths.h"
 
@@ -20,18 +20,10 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-class PortraitCommandLine : public ::testing::Test {
+class PortraitCommandLine : public CommandFixture {
  protected:
-  PortraitCommandLine() {
-    std::string name = (fs::temp_directory_path() / "portrait-test-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~PortraitCommandLine() override { fs::remove_all(folder_); }
+  PortraitCommandLine() : CommandFixture("portrait") {}
 
-  ProgramResult run(std::vector<std::string> arguments, const std::string& input = "") {
-    arguments.insert(arguments.begin(), {DUALARM_PROGRAM, "portrait"});
-    return ProgramRun(arguments, {"TMPDIR=" + folder_.string()}, folder_.string(), input).wait();
-  }
   GetPhasePortraitResponse answer_to(std::vector<std::string> arguments) {
     arguments.push_back("--json");
     const ProgramResult result = run(arguments);
@@ -40,10 +32,6 @@ class PortraitCommandLine : public ::testing::Test {
     EXPECT_TRUE(google::protobuf::util::JsonStringToMessage(result.out, &response).ok()) << result.out.substr(0, 200);
     return response;
   }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-
- private:
-  fs::path folder_;
 };
 
 TEST_F(PortraitCommandLine, PrintsTheMotionAndDrawsIt) {

@@ -6,36 +6,22 @@
 #include <filesystem>
 
 #include "dualarm/planning/v1/planning_service.pb.h"
-#include "tests/clients/program_run.h"
+#include "tests/clients/command_fixture.h"
 #include "tests/clients/scenarios.h"
 #include "tests/clients/svg_paths.h"
 
 namespace dualarm {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace planning::v1;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-class RegionCommandLine : public ::testing::Test {
+class RegionCommandLine : public CommandFixture {
  protected:
-  RegionCommandLine() {
-    std::string name = (fs::temp_directory_path() / "region-test-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~RegionCommandLine() override { fs::remove_all(folder_); }
-
-  ProgramResult run(std::vector<std::string> arguments, const std::string& input = "") {
-    arguments.insert(arguments.begin(), {DUALARM_PROGRAM, "region"});
-    return ProgramRun(arguments, {"TMPDIR=" + folder_.string()}, folder_.string(), input).wait();
-  }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-
- private:
-  fs::path folder_;
+  RegionCommandLine() : CommandFixture("region") {}
 };
 
 TEST_F(RegionCommandLine, PrintsTheSetsAndDrawsFigureTwo) {

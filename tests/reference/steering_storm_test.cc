@@ -6,8 +6,8 @@
 
 #include "tests/reference/steering_case.h"
 
-// Calls of the steering function with anything in them: moves down to 1e-15 rad, ends at every limit, torques that equal
-// gravity to the last digit. ctest makes 10,000; the million of docs/performance.md is
+// Calls of the steering function with anything in them: moves down to 1e-15 rad, ends at every limit, torques that
+// equal gravity to the last digit. ctest makes 10,000; the million of docs/performance.md is
 //   DUALARM_STORM_CALLS=1000000 DUALARM_STORM_SEED=1 steering_storm_test
 
 namespace dualarm {
