@@ -3,13 +3,6 @@
 #include <algorithm>
 
 namespace dualarm {
-namespace {
-
-/// A plan this close to its lower bound, relative, is at it: rounding of quadratures and sums.
-constexpr double kAtBound = 1e-9;
-
-}  // namespace
-
 Certificate certify(double duration, const KnownBounds& known) {
   Certificate certificate;
   certificate.lower_bound = known.fastest;

@@ -5,6 +5,9 @@
 
 namespace dualarm {
 
+/// A duration this close to a bound, relative, is at it: rounding of quadratures and sums.
+inline constexpr double kAtBound = 1e-9;
+
 /// What is known of the durations of all plans of a problem, s.
 struct KnownBounds {
   double fastest = 0.0;   ///< each arm's fastest motion on its own

@@ -33,11 +33,8 @@ FreeRange free_range(const Problem& problem, int arm, double clearance) {
   return free;
 }
 
-Problem within_free_ranges(Problem problem, double clearance) {
-  const Interval first = free_range(problem, 0, clearance).range;
-  const Interval second = free_range(problem, 1, clearance).range;
-  problem.arms[0].joint_range = first;
-  problem.arms[1].joint_range = second;
+Problem within_free_ranges(Problem problem, const std::array<FreeRange, kArmCount>& free) {
+  for (int arm = 0; arm < kArmCount; ++arm) problem.arms[arm].joint_range = free[arm].range;
   return problem;
 }
 

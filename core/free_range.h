@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "core/model/problem.h"
@@ -22,6 +23,6 @@ struct FreeRange {
 FreeRange free_range(const Problem& problem, int arm, double clearance);
 
 /// The problem with both arms' free ranges as their joint ranges.
-Problem within_free_ranges(Problem problem, double clearance);
+Problem within_free_ranges(Problem problem, const std::array<FreeRange, kArmCount>& free);
 
 }  // namespace dualarm

@@ -30,8 +30,6 @@ constexpr double kFastestMotionShare = 0.5;
 constexpr std::chrono::milliseconds kVerificationGrace(250);
 /// Most knot periods a plan may last: what is sent stays below the 50,000 knots an arm that a message may hold.
 constexpr double kMostKnots = 49000.0;
-/// A duration this close to a bound, relative, is at it: rounding of quadratures and sums.
-constexpr double kAtBound = 1e-9;
 
 double seconds_since(Budget::Clock::time_point start) {
   return std::chrono::duration<double>(Budget::Clock::now() - start).count();
@@ -54,7 +52,7 @@ class Run {
         slack_(end_state_slack(problem)),
         margin_(std::clamp(0.5 * slack_, kLeastMargin, kPlanningMargin)),
         arms_{loaded_arm(problem, 0), loaded_arm(problem, 1)},
-        free_{free_range(problem, 0, clearance()), free_range(problem, 1, clearance())},
+        free_(free_ranges(clearance())),
         systems_{system_within(arms_[0], free_[0]), system_within(arms_[1], free_[1])},
         forbidden_(problem, clearance()) {}
 
@@ -101,6 +99,13 @@ class Run {
     return std::max(fastest.lower_bound, fastest_proof(problem_, arm, duration));
   }
 
+  std::array<FreeRange, kArmCount> free_ranges(double clearance) const {
+    return {free_range(problem_, 0, clearance), free_range(problem_, 1, clearance)};
+  }
+
+  /// Of the fastest motions, s.
+  double slower_duration() const { return std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration()); }
+
   /// What is planned with, m: the demanded clearance and the margin.
   double clearance() const { return problem_.options.clearance + margin_; }
 
@@ -108,16 +113,14 @@ class Run {
   /// faster or no delay exists. Theory, sections 3 and 4.
   std::optional<Answer> wait() {
     const auto times = best_delay();
-    const double longest = std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration());
+    const double longest = slower_duration();
     if (!times || times->duration > longest * (1.0 + kAtBound)) bound_by_passage();
     if (is_parted_) return refuse_parted(problem_);
     if (!times || times->duration > std::max(longest, passage_.duration) * (1.0 + kAtBound)) {
       if (auto found = pass(times ? times->duration : std::numeric_limits<double>::infinity())) return found;
     }
     if (times) {
-      return verified(method_of(*times), times->duration,
-                      {std::vector{TimedProfile{times->first, fastest_[0].profile}},
-                       {TimedProfile{times->second, fastest_[1].profile}}});
+      return verified(method_of(*times), *times, fastest_[0].profile, fastest_[1].profile);
     }
     // Other motions than the fastest might take turns, but the methods that are allowed know none.
     if (has_delays_ && !has_moving_objects_ && !knows_more_than_delays() && rests_at_ends() && !was_searched()) {
@@ -150,11 +153,11 @@ class Run {
   /// What passages tell of plans that keep the planning margin, and of all that keep the demanded clearance.
   void bound_by_passage() {
     travellers_.emplace(Travellers{traveller(0), traveller(1)});
-    const Problem planned = within_free_ranges(problem_, clearance());
+    const Problem planned = within_free_ranges(problem_, free_);
     passage_ = passage_bound(ForbiddenPlane(planned, clearance()), *travellers_, budget_);
     margin_proof_ = proof_of(passage_, planned);
     const double demanded = problem_.options.clearance;
-    const Problem free = within_free_ranges(problem_, demanded);
+    const Problem free = within_free_ranges(problem_, free_ranges(demanded));
     is_parted_ = std::isinf(passage_.duration) &&
                  std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget_).duration);
     if (std::isfinite(passage_.duration)) {
@@ -174,7 +177,7 @@ class Run {
       return std::nullopt;
     }
     if (auto found = pass_extremally()) return found;
-    const double least = std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration());
+    const double least = slower_duration();
     std::optional<PassagePlan> best;
     for (const Way& way : passage_.ways) {
       auto found = passage_plan(forbidden_, *travellers_, way, least, known, problem_.options.max_start_delay, budget_);
@@ -197,8 +200,8 @@ class Run {
 
   /// The extremal motions through the fastest way, if they are free. Verification tells that faster than a search.
   std::optional<Answer> pass_extremally() {
-    const double least = std::max(fastest_[0].profile.duration(), fastest_[1].profile.duration());
-    const auto extremal = extremal_plan(*travellers_, passage_.ways.front(), least, problem_.options.max_start_delay);
+    const auto extremal =
+        extremal_plan(*travellers_, passage_.ways.front(), slower_duration(), problem_.options.max_start_delay);
     if (!extremal || has_moving_objects_ || budget_.exhausted()) return std::nullopt;
     const std::size_t tried = tried_.size();
     if (auto found = verified(*extremal)) return found;
@@ -207,9 +210,12 @@ class Run {
   }
 
   std::optional<Answer> verified(const PassagePlan& plan) {
-    return verified(Method::kPassage, plan.times.duration,
-                    {std::vector{TimedProfile{plan.times.first, plan.motions[0]}},
-                     {TimedProfile{plan.times.second, plan.motions[1]}}});
+    return verified(Method::kPassage, plan.times, plan.motions[0], plan.motions[1]);
+  }
+
+  std::optional<Answer> verified(Method method, const StartTimes& times, const Profile& first, const Profile& second) {
+    return verified(method, times.duration,
+                    {std::vector{TimedProfile{times.first, first}}, {TimedProfile{times.second, second}}});
   }
 
   bool rests_at_ends() const {

@@ -16,13 +16,17 @@ namespace {
 
 std::string text_from(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
 
-std::string shown(const std::string& path) { return path == "-" ? "stdin" : path; }
-
 [[noreturn]] void complain(const std::string& path, const std::string& problem) {
-  throw CommandError(ExitStatus::kInvalid, shown(path) + ": " + problem);
+  throw CommandError(ExitStatus::kInvalid, shown_path(path) + ": " + problem);
 }
 
 }  // namespace
+
+std::string shown_path(const std::string& path) { return path == "-" ? "stdin" : path; }
+
+std::string name_of_file(const std::string& path) {
+  return path == "-" ? shown_path(path) : std::filesystem::path(path).stem().string();
+}
 
 std::string read_text(const std::string& path) {
   std::error_code no_folder;

@@ -11,6 +11,12 @@ namespace dualarm {
 /// such file, a folder, empty.
 std::string read_text(const std::string& path);
 
+/// `path` as people know it: "stdin" for "-".
+std::string shown_path(const std::string& path);
+
+/// What the file at `path` is called in answers: its name without folder and ending; "stdin" for "-".
+std::string name_of_file(const std::string& path);
+
 /// Reads one message from `text`, which came from `path`. Throws CommandError(kInvalid) that names the file and the
 /// problem: not JSON, an unknown field.
 void parse_json(const std::string& path, const std::string& text, google::protobuf::Message& message);

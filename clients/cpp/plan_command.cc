@@ -24,14 +24,9 @@ ExitStatus exit_status_of(const PlanMotionResponse& response) {
   return ExitStatus::kDone;
 }
 
-// What people call the request in `file`.
-std::string scenario_name(const std::string& file) {
-  return file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
-}
-
 // The error with the name of its file, which errors of reading have already.
 std::string about(const std::string& file, const std::string& error) {
-  const std::string prefix = (file == "-" ? "stdin" : file) + ": ";
+  const std::string prefix = shown_path(file) + ": ";
   return error.starts_with(prefix) ? error : prefix + error;
 }
 
@@ -69,7 +64,7 @@ ExitStatus PlanCommand::run(const Interruption& interruption) const {
       if (files.size() == 1 || error.status() == ExitStatus::kInterrupted || !std::cout) throw;
       worst = std::max(worst, error.status());
       if (table) {
-        print(table_row(scenario_name(file), error.what()));
+        print(table_row(name_of_file(file), error.what()));
       } else {
         std::cerr << "dualarm: " << about(file, error.what()) << std::endl;
       }
@@ -86,9 +81,9 @@ ExitStatus PlanCommand::plan_one(const PlanningClient& client, const std::string
   if (json) {
     print(json_of(response));
   } else if (table) {
-    print(table_row(scenario_name(file), response));
+    print(table_row(name_of_file(file), response));
   } else {
-    print(plan_report(scenario_name(file), response) + "\n");
+    print(plan_report(name_of_file(file), response) + "\n");
   }
   draw(client, file, request, response);
   return exit_status_of(response);
@@ -98,10 +93,10 @@ void PlanCommand::draw(const PlanningClient& client, const std::string& file, co
                        const PlanMotionResponse& response) const {
   if (svg.empty() && svg_folder.empty()) return;
   const std::string drawing =
-      plan_svg(scenario_name(file), request, response, client.forbidden_region(region_request_for(request)));
+      plan_svg(name_of_file(file), request, response, client.forbidden_region(region_request_for(request)));
   if (!svg.empty()) write_text(svg, drawing);
   if (!svg_folder.empty()) {
-    write_text((std::filesystem::path(svg_folder) / (scenario_name(file) + ".svg")).string(), drawing);
+    write_text((std::filesystem::path(svg_folder) / (name_of_file(file) + ".svg")).string(), drawing);
   }
 }
 

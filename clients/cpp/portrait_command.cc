@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 
 #include "clients/cpp/interruption.h"
 #include "clients/cpp/json_file.h"
@@ -30,8 +29,8 @@ GetPhasePortraitRequest request_from(const std::string& file, const std::string&
     names += (names.empty() ? "" : " or ") + task.arm();
   }
   if (!request.has_task()) {
-    throw CommandError(ExitStatus::kInvalid, fmt::format("{}: has no task for arm '{}': give --arm {}",
-                                                         file == "-" ? "stdin" : file, arm, names));
+    throw CommandError(ExitStatus::kInvalid,
+                       fmt::format("{}: has no task for arm '{}': give --arm {}", shown_path(file), arm, names));
   }
   return request;
 }
@@ -60,7 +59,7 @@ ExitStatus PortraitCommand::run(const Interruption& interruption) const {
   const GetPhasePortraitRequest request = request_from(file, arm, resolution);
   const PlanningClient client(connection, interruption.token());
   const GetPhasePortraitResponse response = client.phase_portrait(request);
-  const std::string name = file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
+  const std::string name = name_of_file(file);
   print(json ? json_of(response) : portrait_report(name, arm, response) + "\n");
   if (!svg.empty()) write_text(svg, portrait_svg(name, request.task(), response));
   return exit_status_of(response);

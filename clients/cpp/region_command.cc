@@ -1,7 +1,6 @@
 #include "clients/cpp/region_command.h"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 
 #include "clients/cpp/interruption.h"
 #include "clients/cpp/json_file.h"
@@ -46,7 +45,7 @@ ExitStatus RegionCommand::run(const Interruption& interruption) const {
   }
   const auto sets = region_sets(
       scenario, points, [&](const GetForbiddenRegionRequest& request) { return client.forbidden_region(request); });
-  const std::string name = file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
+  const std::string name = name_of_file(file);
   if (!json) print(region_report(name, scenario, sets));
   if (!svg.empty()) write_text(svg, region_svg(name, scenario, sets));
   return ExitStatus::kDone;

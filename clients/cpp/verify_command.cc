@@ -20,7 +20,7 @@ Plan read_plan(const std::string& file) {
   if (is_json_of(text, plan) && plan.trajectories_size() > 0) return plan;
   PlanMotionResponse answer;
   parse_json(file, text, answer);
-  if (!answer.has_plan()) throw CommandError(ExitStatus::kInvalid, (file == "-" ? "stdin" : file) + ": holds no plan");
+  if (!answer.has_plan()) throw CommandError(ExitStatus::kInvalid, shown_path(file) + ": holds no plan");
   return answer.plan();
 }
 

@@ -19,14 +19,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A body on its way from one pose of its track to the next.
 class Ride final : public Wanderer {
  public:
-  Ride(const Shape& shape, const TimedPose& from, const TimedPose& to)
-      : shape_(&shape), from_(from), span_(to.time - from.time) {
-    const Eigen::AngleAxisd turned(Eigen::Matrix3d(from.pose.linear().transpose() * to.pose.linear()));
-    axis_ = turned.axis();
-    rate_ = turned.angle() / span_;
-    screw_ = {from.pose.translation(), (to.pose.translation() - from.pose.translation()) / span_,
-              rate_ * (from.pose.linear() * axis_), extent(shape)};
-  }
+  Ride(const Shape& shape, const TimedPose& from, const PoseTrack::Segment& segment)
+      : shape_(&shape),
+        from_(from),
+        span_(segment.duration),
+        axis_(segment.axis),
+        rate_(segment.angle / span_),
+        screw_{from.pose.translation(), segment.way / span_, rate_ * (from.pose.linear() * axis_), extent(shape)} {}
 
   /// As PoseTrack::pose_at, for times (s) of this stretch of the track.
   Shape shape_at(double time) const override {
@@ -101,7 +100,7 @@ class Traffic final : public Meetings {
     };
     stop(poses.front().pose, {0.0, poses.front().time});
     for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
-      const Ride ride(object.body.shape, poses[i], poses[i + 1]);
+      const Ride ride(object.body.shape, poses[i], object.track->segments()[i]);
       if (!ride.times().empty() && ride.distance_from(axis) <= near) rides_.push_back(ride);
     }
     stop(poses.back().pose, {std::max(0.0, poses.back().time), kInfinity});

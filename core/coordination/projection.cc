@@ -114,7 +114,7 @@ class Projection {
   bool subdivide() {
     std::vector<Cell> cells = first_cells();
     while (!cells.empty()) {
-      const IntervalSet known = joined(found_);
+      const IntervalSet known = joined();
       found_ = known.intervals();
       std::vector<Cell> halves;
       for (const Cell& cell : cells) {
@@ -162,18 +162,13 @@ class Projection {
   }
 
   /// The set with its gaps closed that leaves on both sides, forbidden to the resolution, may fill.
-  IntervalSet joined(std::vector<Interval> intervals) const {
-    for (Interval& interval : intervals) interval.upper += 2.0 * resolution_;
-    std::vector<Interval> result = IntervalSet(std::move(intervals)).intervals();
-    for (Interval& interval : result) interval.upper -= 2.0 * resolution_;
-    return IntervalSet(std::move(result));
-  }
+  IntervalSet joined() const { return unite_across(found_, 2.0 * resolution_); }
 
   /// Each finite end moved outwards to the extremum of the exact slices near it.
   IntervalSet polished() {
     std::sort(leaves_.begin(), leaves_.end(), [](const Cell& a, const Cell& b) { return a.from_time < b.from_time; });
     for (const Cell& leaf : leaves_) middles_.push_back(slice_at(*leaf.leg, leaf.middle()));
-    std::vector<Interval> result = joined(found_).intervals();
+    std::vector<Interval> result = joined().intervals();
     for (Interval& interval : result) {
       const double lower = polished_end(interval, 1.0);
       const double upper = -polished_end({-interval.upper, -interval.lower}, -1.0);

@@ -51,6 +51,13 @@ IntervalSet IntervalSet::complement(Interval within) const {
   return IntervalSet(std::move(gaps));
 }
 
+IntervalSet unite_across(std::vector<Interval> intervals, double gap) {
+  for (Interval& interval : intervals) interval.upper += gap;
+  std::vector<Interval> united = IntervalSet(std::move(intervals)).intervals();
+  for (Interval& interval : united) interval.upper -= gap;
+  return IntervalSet(std::move(united));
+}
+
 IntervalSet unite(const IntervalSet& first, const IntervalSet& second) {
   std::vector<Interval> all = first.intervals();
   all.insert(all.end(), second.intervals().begin(), second.intervals().end());

@@ -34,6 +34,9 @@ class IntervalSet {
   std::vector<Interval> intervals_;
 };
 
+/// The union of any intervals, in any order, with gaps of at most `gap` (>= 0) between them closed.
+IntervalSet unite_across(std::vector<Interval> intervals, double gap);
+
 /// Every point of either.
 IntervalSet unite(const IntervalSet& first, const IntervalSet& second);
 

@@ -30,6 +30,19 @@ class PoseTrack {
   double end_time() const { return poses_.back().time; }     ///< s, of the last pose
   const std::vector<TimedPose>& poses() const { return poses_; }
 
+  /// From one pose to the next.
+  struct Segment {
+    double duration = 0.0;                            ///< s, > 0
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();    ///< m
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit, in the frame of the first pose
+    double angle = 0.0;                               ///< rad, 0 to pi
+    double travel_before = 0.0;                       ///< m, from the start of the track
+    double turn_before = 0.0;                         ///< rad, from the start of the track
+  };
+
+  /// One less than poses().
+  const std::vector<Segment>& segments() const { return segments_; }
+
   /// Largest speed of the origin (m/s) and largest turning rate (rad/s) at any time of an interval (s), which may
   /// reach beyond the track; at a corner that of both sides counts.
   double largest_speed(Interval time) const;
@@ -41,16 +54,6 @@ class PoseTrack {
   double turn(Interval time) const;
 
  private:
-  /// From one pose to the next.
-  struct Segment {
-    double duration = 0.0;                            ///< s, > 0
-    Eigen::Vector3d way = Eigen::Vector3d::Zero();    ///< m
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit, in the frame of the first pose
-    double angle = 0.0;                               ///< rad, 0 to pi
-    double travel_before = 0.0;                       ///< m, from the start of the track
-    double turn_before = 0.0;                         ///< rad, from the start of the track
-  };
-
   template <typename Rate>
   double largest(Interval time, const Rate& rate) const;
 

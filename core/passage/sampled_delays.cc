@@ -56,11 +56,9 @@ void SampledDelays::add(const Leg* leg, double position, double earliest, double
 }
 
 IntervalSet SampledDelays::forbidden() const {
-  std::vector<Interval> widened;
-  for (const Sample& sample : samples_) widened.push_back({sample.delays.lower, sample.delays.upper + closed_});
-  std::vector<Interval> joined = IntervalSet(std::move(widened)).intervals();
-  for (Interval& interval : joined) interval.upper -= closed_;
-  return IntervalSet(std::move(joined));
+  std::vector<Interval> delays;
+  for (const Sample& sample : samples_) delays.push_back(sample.delays);
+  return unite_across(std::move(delays), closed_);
 }
 
 void SampledDelays::sharpen_near(double delay) {

@@ -250,9 +250,7 @@ std::vector<JointState> ArcMotion::states(int count) const {
 std::vector<JointState> ArcMotion::integrated(const JointState& from, double step, int count, int parts) const {
   boost::numeric::odeint::runge_kutta_fehlberg78<PlaneState> stepper;
   // The way from the first state, not the position: short arcs would show the rounding of each step.
-  const auto rate_of = [&](const PlaneState& state, PlaneState& rate, double /*time*/) {
-    rate = {state[1], system_->extreme_acceleration(extreme_, from.position + state[0], state[1])};
-  };
+  const auto rate_of = extremal_rate(*system_, extreme_, from.position);
   std::vector<JointState> states = {from};
   states.reserve(count + 1);
   PlaneState state = {0.0, from.velocity};

@@ -20,6 +20,15 @@ double way_to_rest(const System& system, JointState state) {
   return energy_of(state) / std::max(std::abs(admissible.lower), std::abs(admissible.upper));
 }
 
+/// Whether two states are the same, or both at rest at one position.
+bool is_one_state(const System& system, JointState start, JointState goal) {
+  const auto stands = [&](JointState state) {
+    return std::abs(state.velocity) <= kRestSpeed && is_one_position(way_to_rest(system, state), 0.0);
+  };
+  if (start == goal) return true;
+  return is_one_position(start.position, goal.position) && stands(start) && stands(goal);
+}
+
 /// Appends an arc of constant acceleration, cut at rest.
 void append(std::vector<Arc>& arcs, JointState from, double acceleration, double velocity) {
   const auto advance = [&](double to) {
@@ -40,15 +49,8 @@ bool is_one_position(double position, double other) {
   return std::abs(position - other) <= kOnePosition * (1.0 + std::abs(position));
 }
 
-bool is_one_state(const System& system, JointState start, JointState goal) {
-  const auto stands = [&](JointState state) {
-    return std::abs(state.velocity) <= kRestSpeed && is_one_position(way_to_rest(system, state), 0.0);
-  };
-  if (start == goal) return true;
-  return is_one_position(start.position, goal.position) && stands(start) && stands(goal);
-}
-
 std::optional<std::vector<Arc>> motion_on_the_spot(const System& system, JointState start, JointState goal) {
+  if (is_one_state(system, start, goal)) return std::vector<Arc>{};
   if (!is_one_position(start.position, goal.position)) return std::nullopt;
   if (!is_one_position(way_to_rest(system, start), 0.0) || !is_one_position(way_to_rest(system, goal), 0.0)) {
     return std::nullopt;
@@ -68,7 +70,8 @@ std::optional<std::vector<Arc>> motion_on_the_spot(const System& system, JointSt
     std::vector<Arc> arcs;
     append(arcs, start, first, velocity);
     append(arcs, arcs.empty() ? start : arcs.back().end, second, goal.velocity);
-    if (!arcs.empty()) arcs.back().end = goal;
+    if (arcs.empty()) return std::nullopt;
+    arcs.back().end = goal;
     return arcs;
   }
   return std::nullopt;

@@ -39,12 +39,13 @@ std::optional<Blocked> check_goal(const System& system, JointState state) {
   return blocked;
 }
 
+Profile profile_of(const System& system, JointState start, std::vector<Arc> arcs) {
+  return arcs.empty() ? Profile(system, start) : Profile(system, std::move(arcs));
+}
+
 /// The faster of the two ways, or what is in the way of the one that comes further.
 std::variant<Profile, Blocked> faster_way(const System& system, JointState start, JointState goal) {
-  if (is_one_state(system, start, goal)) return Profile(system, start);
-  if (auto arcs = motion_on_the_spot(system, start, goal); arcs && !arcs->empty()) {
-    return Profile(system, std::move(*arcs));
-  }
+  if (auto arcs = motion_on_the_spot(system, start, goal)) return profile_of(system, start, std::move(*arcs));
   std::optional<Profile> fastest;
   std::optional<Blocked> obstacle;
   const double natural = goal.position >= start.position ? 1.0 : -1.0;
@@ -55,8 +56,7 @@ std::variant<Profile, Blocked> faster_way(const System& system, JointState start
       if (!obstacle || tells_more(system, *blocked, *obstacle)) obstacle = *blocked;
       continue;
     }
-    auto& arcs = std::get<std::vector<Arc>>(*way);
-    Profile profile = arcs.empty() ? Profile(system, start) : Profile(system, std::move(arcs));
+    Profile profile = profile_of(system, start, std::move(std::get<std::vector<Arc>>(*way)));
     if (!fastest || profile.duration() < fastest->duration()) fastest = std::move(profile);
   }
   if (fastest) return std::move(*fastest);
@@ -113,10 +113,7 @@ std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointS
 
 double fastest_duration(const System& system, JointState start, JointState goal) {
   if (check_start(system, start) || check_goal(system, goal)) return kInfinity;
-  if (is_one_state(system, start, goal)) return 0.0;
-  if (const auto arcs = motion_on_the_spot(system, start, goal); arcs && !arcs->empty()) {
-    return duration_along(system, *arcs);
-  }
+  if (const auto arcs = motion_on_the_spot(system, start, goal)) return duration_along(system, *arcs);
   double fastest = kInfinity;
   for (const double direction : {1.0, -1.0}) {
     const auto way = one_way_motion(system, start, goal, direction);

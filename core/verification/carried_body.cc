@@ -95,12 +95,10 @@ struct TurningAt {
     moving.extent = body.extent;
     if (middle <= track->begin_time() || middle >= track->end_time()) return moving;
     const auto to = corners_inside(*track, {middle, track->end_time()}).first;
-    const TimedPose& from = *(to - 1);
-    const double duration = to->time - from.time;
-    const Eigen::AngleAxisd turned(Eigen::Matrix3d(from.pose.linear().transpose() * to->pose.linear()));
-    moving.velocity = (to->pose.translation() - from.pose.translation()) / duration;
-    moving.axis = from.pose.linear() * turned.axis();
-    moving.rate = turned.angle() / duration;
+    const auto& segment = track->segments()[static_cast<std::size_t>(to - track->poses().begin()) - 1];
+    moving.velocity = segment.way / segment.duration;
+    moving.axis = (to - 1)->pose.linear() * segment.axis;
+    moving.rate = segment.angle / segment.duration;
     moving.most_rate = std::abs(moving.rate);
     return moving;
   }

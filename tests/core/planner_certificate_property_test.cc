@@ -14,20 +14,6 @@ namespace {
 
 constexpr int kScenes = 1000;
 
-const char* name_of(Method method) {
-  switch (method) {
-    case Method::kSimultaneous:
-      return "simultaneous";
-    case Method::kDelay:
-      return "delay";
-    case Method::kPassage:
-      return "passage";
-    case Method::kStateTime:
-      return "search";
-  }
-  return "";
-}
-
 const char* name_of(Claim claim) {
   return claim == Claim::kOptimal ? "optimal" : claim == Claim::kOptimalMonotone ? "optimal if monotone" : "gap";
 }

@@ -32,20 +32,6 @@ constexpr double kFailed = 0.01;      // of its duration: an optimiser slower th
 /// Where the planner is slower than that, and by how much it may be: see docs/performance.md.
 const std::map<std::string, double> kExceptions = {{"seed 172", 0.012}};
 
-const char* name_of(Method method) {
-  switch (method) {
-    case Method::kSimultaneous:
-      return "simultaneous";
-    case Method::kDelay:
-      return "delay";
-    case Method::kPassage:
-      return "passage";
-    case Method::kStateTime:
-      return "search";
-  }
-  return "";
-}
-
 std::optional<Plan> planned(const Problem& problem) {
   Outcome outcome = plan(problem, Budget());
   if (auto* found = std::get_if<Plan>(&outcome.answer)) return std::move(*found);

@@ -131,6 +131,20 @@ Problem random_problem(std::uint64_t seed) {
   return problem;
 }
 
+const char* name_of(Method method) {
+  switch (method) {
+    case Method::kSimultaneous:
+      return "simultaneous";
+    case Method::kDelay:
+      return "delay";
+    case Method::kPassage:
+      return "passage";
+    case Method::kStateTime:
+      return "search";
+  }
+  return "";
+}
+
 const char* name_of(DriveModel model) {
   switch (model) {
     case DriveModel::kAsymmetric:

@@ -19,6 +19,9 @@ Problem paper_problem(std::array<double, kArmCount> start_degrees, std::array<do
 /// such were found in 200 tries.
 Problem random_problem(std::uint64_t seed);
 
+/// "simultaneous", "delay", "passage", "search".
+const char* name_of(Method method);
+
 /// Kinds of torque limits that problems are drawn with.
 enum class DriveModel {
   kAsymmetric,       ///< constant, lower and upper far from each other

@@ -72,5 +72,11 @@ TEST(IntervalSet, UnionHoldsBoth) {
   EXPECT_EQ(unite(IntervalSet({{0, 1}}), IntervalSet({{0.5, 2}, {3, 4}})).intervals(), (Intervals{{0, 2}, {3, 4}}));
 }
 
+TEST(IntervalSet, UnitesAcrossNarrowGapsOnly) {
+  EXPECT_EQ(unite_across({{3.0, 4.0}, {0.0, 1.0}, {1.5, 2.0}}, 0.5).intervals(),
+            (std::vector<Interval>{{0.0, 2.0}, {3.0, 4.0}}));
+  EXPECT_TRUE(unite_across({}, 0.5).empty());
+}
+
 }  // namespace
 }  // namespace dualarm

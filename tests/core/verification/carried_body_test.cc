@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/support.h"
+#include "tests/core/verification/all_bodies.h"
 #include "tests/core/verification/sample_motions.h"
 #include "tests/support/dice.h"
 
@@ -47,14 +48,6 @@ struct Scene {
     motions = {Interpolant(trajectory[0].knots), Interpolant(trajectory[1].knots)};
     bodies = carried_bodies(problem, motions);
   }
-
-  std::vector<const CarriedBody*> all() const {
-    std::vector<const CarriedBody*> found;
-    for (const auto* group : {&bodies.moving[0], &bodies.moving[1], &bodies.fixed, &bodies.tracked}) {
-      for (const CarriedBody& body : *group) found.push_back(&body);
-    }
-    return found;
-  }
 };
 
 /// How far (m) the two differ in the direction.
@@ -78,7 +71,7 @@ TEST(CarriedBody, NoPointGoesFartherThanTheBoundOfItsWay) {
   Dice dice(kSeed);
   for (int i = 0; i < 20000; ++i) {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", try " << i);
-    const CarriedBody& body = *scene.all()[static_cast<std::size_t>(dice.one_of(5))];
+    const CarriedBody& body = *all_of(scene.bodies)[static_cast<std::size_t>(dice.one_of(5))];
     const double start = dice.between(-0.1, 1.2);
     const Interval time = {start, start + (dice.happens(0.5) ? 0.02 : dice.between(0.0, 1.0))};
     const Eigen::Vector3d direction =
@@ -91,7 +84,7 @@ TEST(CarriedBody, NoPointGoesFartherThanTheBoundOfItsWay) {
 
 TEST(CarriedBody, ATurningBodyHasTheVelocityOfTheShape) {
   const Scene scene;
-  for (const CarriedBody* body : scene.all()) {
+  for (const CarriedBody* body : all_of(scene.bodies)) {
     for (const double time : {0.1, 0.3, 0.5, 0.7, 0.95}) {
       SCOPED_TRACE(testing::Message() << body->body.name << " at " << time << " s");
       const double half = 1e-5;

@@ -8,15 +8,14 @@
 
 #include "core/verification/tolerances.h"
 #include "core/verification/verify.h"
+#include "tests/core/verification/damage.h"
 #include "tests/core/verification/sample_motions.h"
-#include "tests/core/verification/violation_kinds.h"
 #include "tests/support/independent_check.h"
 #include "tests/support/problems.h"
 
 namespace dualarm {
 namespace {
 
-using testing::Contains;
 using testing::IsEmpty;
 
 struct Plan {
@@ -136,9 +135,7 @@ const std::vector<Damage>& damages() {
 TEST(DriveMutation, TheUndamagedPlansHold) {
   for (const Plan& plan : {line_plan(), table_plan(), constant_plan()}) {
     SCOPED_TRACE(plan.problem.arms[0].torque.index());
-    const Verification verification = verify(plan.problem, plan.trajectory, Budget());
-    for (const Violation& violation : verification.violations) ADD_FAILURE() << violation.explanation;
-    EXPECT_TRUE(verification.holds());
+    const Verification verification = expect_to_hold(plan.problem, plan.trajectory);
     EXPECT_NEAR(verification.torque.value, 1.0, 1e-6);
     EXPECT_THAT(independent_check(plan.problem, plan.trajectory), IsEmpty());
   }
@@ -149,10 +146,7 @@ class DriveMutation : public testing::TestWithParam<Damage> {};
 TEST_P(DriveMutation, IsNamed) {
   Plan plan = GetParam().make();
   GetParam().apply(plan);
-  const Verification verification = verify(plan.problem, plan.trajectory, Budget());
-  EXPECT_FALSE(verification.holds());
-  EXPECT_THAT(kinds(verification), Contains(GetParam().kind));
-  for (const Violation& violation : verification.violations) EXPECT_FALSE(violation.explanation.empty());
+  expect_named(plan.problem, plan.trajectory, GetParam().kind);
 }
 
 INSTANTIATE_TEST_SUITE_P(Damage, DriveMutation, testing::ValuesIn(damages()),

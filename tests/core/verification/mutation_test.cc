@@ -8,14 +8,13 @@
 #include <numbers>
 
 #include "core/verification/verify.h"
+#include "tests/core/verification/damage.h"
 #include "tests/core/verification/sample_motions.h"
-#include "tests/core/verification/violation_kinds.h"
 #include "tests/support/independent_check.h"
 
 namespace dualarm {
 namespace {
 
-using testing::Contains;
 using testing::IsEmpty;
 
 /// Arm 1 rises through the middle, a little later arm 2 comes down through it, 0.09 m behind: a good plan with hold,
@@ -129,9 +128,7 @@ const std::vector<Damage>& damages() {
 
 TEST(Mutation, TheUndamagedPlanHolds) {
   const Plan plan = good_plan();
-  const Verification verification = verify(plan.problem, plan.trajectory, Budget());
-  for (const Violation& violation : verification.violations) ADD_FAILURE() << violation.explanation;
-  EXPECT_TRUE(verification.holds());
+  expect_to_hold(plan.problem, plan.trajectory);
   EXPECT_THAT(independent_check(plan.problem, plan.trajectory), IsEmpty());
 }
 
@@ -140,10 +137,7 @@ class Mutation : public testing::TestWithParam<Damage> {};
 TEST_P(Mutation, IsNamed) {
   Plan plan = good_plan();
   GetParam().apply(plan);
-  const Verification verification = verify(plan.problem, plan.trajectory, Budget());
-  EXPECT_FALSE(verification.holds());
-  EXPECT_THAT(kinds(verification), Contains(GetParam().kind));
-  for (const Violation& violation : verification.violations) EXPECT_FALSE(violation.explanation.empty());
+  expect_named(plan.problem, plan.trajectory, GetParam().kind);
 }
 
 TEST_P(Mutation, IsSeenByTheIndependentCheckWhereSamplesCanSeeIt) {

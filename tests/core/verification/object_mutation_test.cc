@@ -8,14 +8,13 @@
 #include <string_view>
 
 #include "core/verification/verify.h"
+#include "tests/core/verification/damage.h"
 #include "tests/core/verification/sample_motions.h"
-#include "tests/core/verification/violation_kinds.h"
 #include "tests/support/independent_check.h"
 
 namespace dualarm {
 namespace {
 
-using testing::Contains;
 using testing::IsEmpty;
 
 Eigen::Isometry3d pose_of(double x, double y, double yaw = 0.0) {
@@ -150,9 +149,7 @@ const std::vector<Damage>& damages() {
 
 TEST(ObjectMutation, TheUndamagedPlanHolds) {
   const Plan plan = good_plan();
-  const Verification verification = verify(plan.problem, plan.trajectory, Budget());
-  for (const Violation& violation : verification.violations) ADD_FAILURE() << violation.explanation;
-  EXPECT_TRUE(verification.holds());
+  const Verification verification = expect_to_hold(plan.problem, plan.trajectory);
   EXPECT_LT(verification.distance_query_count, 150);
   EXPECT_THAT(independent_check(plan.problem, plan.trajectory), IsEmpty());
 }
@@ -162,10 +159,7 @@ class ObjectMutation : public testing::TestWithParam<Damage> {};
 TEST_P(ObjectMutation, IsNamed) {
   Plan plan = good_plan();
   GetParam().apply(plan);
-  const Verification verification = verify(plan.problem, plan.trajectory, Budget());
-  EXPECT_FALSE(verification.holds());
-  EXPECT_THAT(kinds(verification), Contains(GetParam().kind));
-  for (const Violation& violation : verification.violations) EXPECT_FALSE(violation.explanation.empty());
+  expect_named(plan.problem, plan.trajectory, GetParam().kind);
 }
 
 TEST_P(ObjectMutation, IsSeenByTheIndependentCheckWhereSamplesCanSeeIt) {

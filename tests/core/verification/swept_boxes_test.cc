@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/support.h"
+#include "tests/core/verification/all_bodies.h"
 #include "tests/core/verification/sample_motions.h"
 #include "tests/support/dice.h"
 #include "tests/support/exact_distance.h"
@@ -44,20 +45,12 @@ struct Scene {
     }
     bodies = carried_bodies(problem, motions);
   }
-
-  std::vector<const CarriedBody*> all() const {
-    std::vector<const CarriedBody*> found;
-    for (const auto* group : {&bodies.moving[0], &bodies.moving[1], &bodies.fixed, &bodies.tracked}) {
-      for (const CarriedBody& body : *group) found.push_back(&body);
-    }
-    return found;
-  }
 };
 
 TEST(SweptBoxes, ContainTheBodyAllTheTime) {
   Dice dice(kSeed);
   const Scene scene(kSeed);
-  for (const CarriedBody* body : scene.all()) {
+  for (const CarriedBody* body : all_of(scene.bodies)) {
     SCOPED_TRACE(body->body.name);
     SweptBoxes boxes(*body, scene.time);
     const Eigen::AlignedBox3d before = boxes.whole();
@@ -79,7 +72,7 @@ TEST(SweptBoxes, ContainTheBodyAllTheTime) {
 TEST(SweptBoxes, NeverProveMoreThanTheSmallestDistance) {
   for (std::uint64_t seed = kSeed; seed < kSeed + 5; ++seed) {
     const Scene scene(seed);
-    const std::vector<const CarriedBody*> all = scene.all();
+    const std::vector<const CarriedBody*> all = all_of(scene.bodies);
     for (auto first_place = all.begin(); first_place != all.end(); ++first_place) {
       for (auto second_place = all.begin(); second_place != first_place; ++second_place) {
         const CarriedBody* first = *first_place;
