@@ -7,17 +7,20 @@
 
 namespace dualarm {
 
-/// Both arms at rest at given positions (rad), whenever that is.
+/// Both arms at rest at given positions (rad), not before a time (s): until then objects pass there, and arms that
+/// arrive stay.
 class RestGoal final : public ompl::base::Goal {
  public:
-  RestGoal(const ompl::base::SpaceInformationPtr& space, const JointPair& positions)
-      : Goal(space), positions_(positions) {}
+  RestGoal(const ompl::base::SpaceInformationPtr& space, const JointPair& positions, double not_before)
+      : Goal(space), positions_(positions), not_before_(not_before) {}
 
   const JointPair& positions() const { return positions_; }
+  double not_before() const { return not_before_; }
   bool isSatisfied(const ompl::base::State* state) const override;
 
  private:
   JointPair positions_;
+  double not_before_;
 };
 
 /// The cost of a path is the time (s) it ends at. Its cost-to-go is minimum_time to a RestGoal: exact for each arm

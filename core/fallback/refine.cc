@@ -96,7 +96,7 @@ void Refinement::keep_if_faster(const Itinerary& candidate) {
   const double duration = candidate.duration();
   if (duration >= duration_ * (1.0 - kWorthwhileGain)) return;
   ++evaluations_;
-  if (!proof_.proves(candidate.tracks(), {0.0, duration})) return;
+  if (!proves_for_good(candidate, duration)) return;
   best_ = candidate;
   duration_ = duration;
   waits_ = best_.waits_between();
@@ -132,7 +132,11 @@ bool Refinement::improves_aligned(Itinerary candidate) {
 bool Refinement::proven(Itinerary& candidate, int leader, double end) {
   ++evaluations_;
   candidate.align(leader, end);
-  return proof_.proves(candidate.tracks(), {0.0, end});
+  return proves_for_good(candidate, end);
+}
+
+bool Refinement::proves_for_good(const Itinerary& candidate, double end) const {
+  return proof_.proves(candidate.tracks(), {0.0, std::max(end, proof_.settled_time())});
 }
 
 }  // namespace dualarm

@@ -30,6 +30,7 @@ class Refinement {
   bool improves_aligned(Itinerary candidate);
   void keep_if_faster(const Itinerary& candidate);
   bool proven(Itinerary& candidate, int leader, double end);
+  bool proves_for_good(const Itinerary& candidate, double end) const;  ///< until no object moves any more
 
   const Systems& systems_;
   const ClearanceProof& proof_;

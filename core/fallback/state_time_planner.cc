@@ -58,8 +58,8 @@ Itinerary itinerary_along(const Systems& systems, const ClearanceProof& proof,
 
 }  // namespace
 
-SearchResult search_state_time(const Problem& problem, const Systems& systems, double clearance, int evaluation_limit,
-                               const Budget& budget) {
+SearchResult search_state_time(const Problem& problem, const Systems& systems, double clearance, double earliest_end,
+                               int evaluation_limit, const Budget& budget) {
   const ClearanceProof proof(problem, clearance);
   const std::uint64_t seed = problem.options.seed;
   const JointPair start = {problem.tasks[0].start.position, problem.tasks[1].start.position};
@@ -75,7 +75,7 @@ SearchResult search_state_time(const Problem& problem, const Systems& systems, d
   ob::ScopedState<StateTimeSpace> start_state(information);
   StateTimeSpace::set(start_state.get(), start, 0.0);
   definition->addStartState(start_state);
-  definition->setGoal(std::make_shared<RestGoal>(information, goal));
+  definition->setGoal(std::make_shared<RestGoal>(information, goal, earliest_end));
   definition->setOptimizationObjective(std::make_shared<ArrivalTime>(information));
 
   TreePlanner tree(information, {evaluation_limit, static_cast<int>(kTreeShareAfterFirstPlan * evaluation_limit)});
@@ -88,8 +88,8 @@ SearchResult search_state_time(const Problem& problem, const Systems& systems, d
   if (solved) {
     const auto* path = definition->getSolutionPath()->as<ompl::geometric::PathGeometric>();
     Random random(seed ^ kRefinementSeed);
-    Refinement refinement(systems, proof, itinerary_along(systems, proof, *path), minimum_time(systems, start, goal),
-                          random, budget);
+    const double lower_bound = std::max(earliest_end, minimum_time(systems, start, goal));
+    Refinement refinement(systems, proof, itinerary_along(systems, proof, *path), lower_bound, random, budget);
     refinement.run(evaluation_limit - result.evaluation_count);
     result.evaluation_count += refinement.evaluations();
     result.schedule = refinement.best().schedule();

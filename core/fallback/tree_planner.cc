@@ -109,8 +109,8 @@ const TreePlanner::Node* TreePlanner::extend_to(ob::State* target) {
 void TreePlanner::shoot_at_goal(const Node& from) {
   const auto* goal = pdef_->getGoal()->as<RestGoal>();
   const Systems& systems = si_->getStateSpace()->as<StateTimeSpace>()->systems();
-  const double arrival = StateTimeSpace::time(from.state) +
-                         monotone_time(systems, StateTimeSpace::positions(from.state), goal->positions());
+  const double way = monotone_time(systems, StateTimeSpace::positions(from.state), goal->positions());
+  const double arrival = std::max(goal->not_before(), StateTimeSpace::time(from.state) + way);
   if (!worthwhile(arrival)) return;
   ob::State* target = si_->cloneState(from.state);
   StateTimeSpace::set(target, goal->positions(), arrival);

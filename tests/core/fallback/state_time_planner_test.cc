@@ -20,7 +20,7 @@ constexpr int kInstants = 2000;
 
 SearchResult search(const Problem& problem, const ArmSystems& arms, int limit = kDefaultEvaluationLimit,
                     const Budget& budget = {}) {
-  return search_state_time(problem, arms.both(), kClearance, limit, budget);
+  return search_state_time(problem, arms.both(), kClearance, 0.0, limit, budget);
 }
 
 void expect_same(const SearchResult& left, const SearchResult& right) {

@@ -21,7 +21,7 @@ class TreePlannerTest : public ::testing::Test {
     definition_ = std::make_shared<ob::ProblemDefinition>(search_.information);
     definition_->addStartState(search_.state(10.0, 40.0, 0.0));
     const JointPair goal = {first_goal * kDegree, second_goal * kDegree};
-    definition_->setGoal(std::make_shared<RestGoal>(search_.information, goal));
+    definition_->setGoal(std::make_shared<RestGoal>(search_.information, goal, 0.0));
     definition_->setOptimizationObjective(std::make_shared<ArrivalTime>(search_.information));
   }
 
