@@ -26,7 +26,7 @@ bool allows_search(const PlanOptions& options) {
   return options.allows(Method::kStateTime) && options.region_model == RegionModel::kExact;
 }
 
-std::optional<Plan> plan_by_search(const PreparedProblem& prepared, const Budget& budget, Findings& findings) {
+std::optional<Plan> plan_by_search(const PreparedProblem& prepared, const PlanningBudget& budget, Findings& findings) {
   if (!prepared.rests_at_ends()) {
     findings.tried.push_back("state-time search: not tried, because it plans from rest to rest only");
     return std::nullopt;
@@ -35,14 +35,14 @@ std::optional<Plan> plan_by_search(const PreparedProblem& prepared, const Budget
   const auto start = Budget::Clock::now();
   const SearchResult result =
       search_state_time(prepared.problem(), {&prepared.system(0), &prepared.system(1)}, prepared.clearance(),
-                        earliest_end(prepared), kDefaultEvaluationLimit, budget);
+                        earliest_end(prepared), kDefaultEvaluationLimit, budget.methods);
   findings.statistics.fallback_seconds = std::chrono::duration<double>(Budget::Clock::now() - start).count();
   findings.statistics.fallback_evaluation_count = result.evaluation_count;
   findings.tried.push_back(worded("state-time search: ", result.evaluation_count, " evaluations, ",
                                   result.schedule ? "a schedule found" : "no schedule found",
                                   result.budget_ran_out ? ", stopped by the budget" : ""));
   if (!result.schedule) return std::nullopt;
-  return proven_plan(prepared, Method::kStateTime, result.duration, *result.schedule, budget, findings);
+  return proven_plan(prepared, Method::kStateTime, result.duration, *result.schedule, budget.proof, findings);
 }
 
 }  // namespace dualarm

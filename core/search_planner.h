@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "core/findings.h"
-#include "core/model/budget.h"
 #include "core/plan.h"
+#include "core/planning_budget.h"
 #include "core/prepared_problem.h"
 
 namespace dualarm {
@@ -13,6 +13,6 @@ namespace dualarm {
 bool allows_search(const PlanOptions& options);
 
 /// Motions with rests on the way, by search. Nothing where it found none: the findings say so. Theory, section 6.
-std::optional<Plan> plan_by_search(const PreparedProblem& prepared, const Budget& budget, Findings& findings);
+std::optional<Plan> plan_by_search(const PreparedProblem& prepared, const PlanningBudget& budget, Findings& findings);
 
 }  // namespace dualarm
