@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "core/fallback/state_time_planner.h"
-#include "core/goal_visit.h"
+#include "core/object_visit.h"
 #include "core/proven_plan.h"
 #include "core/wording.h"
 
