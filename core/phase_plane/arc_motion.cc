@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/phase_plane/extremal_rate.h"
+#include "core/phase_plane/motion_series.h"
 
 namespace dualarm {
 namespace {
@@ -40,6 +41,8 @@ constexpr double kShortestTravel = 1e-4;
 constexpr double kShort = 1e-6;
 /// Relative miss of a trace's end beyond which it is lost.
 constexpr double kLostTrace = 1e-8;
+/// Part of a step that its multiples round off.
+constexpr double kStepRounding = 1e-12;
 /// Rounding of a velocity, relative.
 constexpr double kVelocityRounding = 2e-16;
 
@@ -222,6 +225,7 @@ std::vector<JointState> ArcMotion::states(int count) const {
   const double step = duration_ / count;
   std::vector<JointState> states;
   if (kind_ == ArcKind::kCruise) {
+    states.reserve(count + 1);
     for (int i = 0; i <= count; ++i) states.push_back(at(step * i));
     states.back() = end_;
     return states;
@@ -231,7 +235,10 @@ std::vector<JointState> ArcMotion::states(int count) const {
   const bool backward = trace_ && !from_start_;
   const JointState& other_end = backward ? start_ : end_;
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
-    states = integrated(backward ? end_ : start_, backward ? -step : step, count, parts);
+    const JointState& from = backward ? end_ : start_;
+    const double signed_step = backward ? -step : step;
+    if (parts == 1) states = along_series(from, signed_step, count);
+    if (parts > 1 || states.empty()) states = integrated(from, signed_step, count, parts);
     const bool is_left = may_leave_miss(states.back(), other_end);
     if (!is_left && !(miss(states.back(), other_end) <= kEndTolerance)) continue;
     if (!is_left) spread_miss(states, other_end, backward ? -duration_ : duration_);
@@ -243,6 +250,29 @@ std::vector<JointState> ArcMotion::states(int count) const {
   states = {start_};
   for (int i = 1; i < count; ++i) states.push_back(at(step * i));
   states.push_back(end_);
+  return states;
+}
+
+/// States from one on, `count` steps of `step` s, many by one series; none where no series is known or reaches that
+/// far.
+std::vector<JointState> ArcMotion::along_series(const JointState& from, double step, int count) const {
+  std::vector<JointState> states = {from};
+  states.reserve(count + 1);
+  double way_before = 0.0;
+  for (int done = 0; done < count;) {
+    const auto series = MotionSeries::about(*system_, extreme_, {from.position + way_before, states.back().velocity});
+    if (!series) return {};
+    const double reach = series->reach(std::abs(step) * (count - done));
+    const int steps = std::min(count - done, static_cast<int>(reach / std::abs(step) * (1.0 + kStepRounding)));
+    if (steps < 1) return {};
+    PlaneState state = {};
+    for (int i = 1; i <= steps; ++i) {
+      state = series->at(step * i);
+      states.push_back({from.position + (way_before + state[0]), state[1]});
+    }
+    way_before += state[0];
+    done += steps;
+  }
   return states;
 }
 

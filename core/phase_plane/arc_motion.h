@@ -28,6 +28,9 @@ class ArcMotion {
 
   double duration() const { return duration_; }  ///< s
 
+  /// The end of the admissible accelerations that is the arc's rule; nothing for a cruise.
+  std::optional<Extreme> extreme() const { return kind_ == ArcKind::kCruise ? std::nullopt : std::optional(extreme_); }
+
   /// Acceleration (rad/s2) of the arc's rule in a state; 0 for a cruise.
   double acceleration(JointState state) const;
 
@@ -57,6 +60,7 @@ class ArcMotion {
   double speed_near_anchor(double root) const;
   double speed_squared(double change) const;
   JointState from_anchor(double time) const;
+  std::vector<JointState> along_series(const JointState& from, double step, int count) const;
   std::vector<JointState> integrated(const JointState& from, double step, int count, int parts) const;
   double miss(const JointState& state, const JointState& end) const;
   bool may_leave_miss(const JointState& state, const JointState& end) const;
