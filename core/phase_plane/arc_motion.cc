@@ -43,6 +43,8 @@ constexpr double kShort = 1e-6;
 constexpr double kLostTrace = 1e-8;
 /// Part of a step that its multiples round off.
 constexpr double kStepRounding = 1e-12;
+/// Part of a duration by which a series for times may tell another one.
+constexpr double kSameDuration = 1e-13;
 /// Rounding of a velocity, relative.
 constexpr double kVelocityRounding = 2e-16;
 
@@ -158,9 +160,23 @@ double ArcMotion::speed_near_anchor(double root) const {
   return std::sqrt(std::max(speed_squared(change_at(root)), 0.0)) / (2.0 * root);
 }
 
+double ArcMotion::first_root() const { return std::sqrt(virtual_rest_); }
+
+double ArcMotion::last_root() const { return std::sqrt(virtual_rest_ + std::abs(end_.position - start_.position)); }
+
+void ArcMotion::expect_questions() {
+  if (kind_ == ArcKind::kCruise || mean_acceleration_ || trace_) return;
+  const auto series =
+      IntegralSeries::of([this](double root) { return 1.0 / speed_near_anchor(root); }, first_root(), last_root());
+  if (!series) return;
+  const double end = backlash_ + series->up_to(last_root());
+  if (std::abs(end - duration_) <= kSameDuration * duration_) clock_ = std::make_shared<IntegralSeries>(*series);
+}
+
 double ArcMotion::quadrature(double root) const {
-  const double first = std::sqrt(virtual_rest_);
+  const double first = first_root();
   if (root <= first) return 0.0;
+  if (clock_) return clock_->up_to(root);
   // Over [-1, 1], always: on shorter intervals Boost 1.74 compares an error of the unit interval with a tolerance of
   // the short one and subdivides to the last level.
   const double half = 0.5 * (root - first);
@@ -204,8 +220,8 @@ JointState ArcMotion::at(double time) const {
 JointState ArcMotion::from_anchor(double time) const {
   time = std::max(0.0, time - backlash_);
   if (trace_) return trace_->at_time(from_start_ ? time : -time);
-  double low = std::sqrt(virtual_rest_);
-  double high = std::sqrt(virtual_rest_ + std::abs(end_.position - start_.position));
+  double low = first_root();
+  double high = last_root();
   double root = std::lerp(low, high, std::clamp(time / (duration_ - backlash_), 0.0, 1.0));
   // Newton in the root coordinate, where a start from rest is a straight line; bisection keeps it inside.
   for (int i = 0; i < 60 && root > 0.0; ++i) {

@@ -37,6 +37,9 @@ class Profile {
   /// kHold.
   Profile(const System& system, std::vector<Arc> arcs);
 
+  /// The same motion, prepared for many questions about times.
+  Profile asked_often() const;
+
   double duration() const { return duration_; }        ///< s
   JointState start_state() const { return start_; }    ///< at 0
   JointState goal_state() const { return goal_; }      ///< at duration()
