@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/systems/balance.h"
+#include "core/systems/sine.h"
 #include "core/systems/torque_shape.h"
 
 namespace dualarm {
@@ -32,7 +33,7 @@ SingleJointArm::SingleJointArm(const Arm& arm)
       rest_bounds_{extreme_bound(Extreme::kLowest, {0.0, 0.0}), extreme_bound(Extreme::kHighest, {0.0, 0.0})} {}
 
 Interval SingleJointArm::acceleration(double s, double s_dot) const {
-  const double held = gravity_.amplitude * std::sin(s - gravity_.phase) + friction_ * s_dot;
+  const double held = gravity_.amplitude * sine(s - gravity_.phase) + friction_ * s_dot;
   const auto* constant = std::get_if<Interval>(&torque_);
   const Interval torque = constant != nullptr ? *constant : torque_limits(torque_, s, s_dot);
   return {(torque.lower - held) / inertia_, (torque.upper - held) / inertia_};
@@ -69,7 +70,7 @@ Interval SingleJointArm::acceleration_bounds(Interval velocities) const {
 
 double SingleJointArm::specific_work(Extreme extreme, double from, double change) const {
   // cos(b) - cos(a) as a product of sines: near rest the difference of cosines would lose all digits.
-  const double cosine_change = -2.0 * std::sin(from + 0.5 * change - gravity_.phase) * std::sin(0.5 * change);
+  const double cosine_change = -2.0 * sine(from + 0.5 * change - gravity_.phase) * sine(0.5 * change);
   return (at_rest_[index(extreme)].integral(from, change) + gravity_.amplitude * cosine_change) / inertia_;
 }
 
@@ -98,11 +99,12 @@ bool SingleJointArm::extremal_series(Extreme extreme, JointState from, std::span
   const auto* constant = std::get_if<Interval>(&torque_);
   if (constant == nullptr || way.size() > kMostTerms) return false;
   // Sine and cosine of the angle as series of their own: (sin)' = cos angle', (cos)' = -sin angle'.
-  std::array<double, kMostTerms> sine;
-  std::array<double, kMostTerms> cosine;
+  std::array<double, kMostTerms> sines;
+  std::array<double, kMostTerms> cosines;
   std::array<double, kMostTerms> rate;  // of the angle, which is that of the way
-  sine[0] = std::sin(from.position - gravity_.phase);
-  cosine[0] = std::cos(from.position - gravity_.phase);
+  const SineCosine first = sine_cosine(from.position - gravity_.phase);
+  sines[0] = first.sine;
+  cosines[0] = first.cosine;
   rate[0] = from.velocity;
   way[0] = 0.0;
   const double per_inertia = 1.0 / inertia_;
@@ -110,22 +112,22 @@ bool SingleJointArm::extremal_series(Extreme extreme, JointState from, std::span
     const double share = 1.0 / static_cast<double>(k + 1);
     way[k + 1] = rate[k] * share;
     const double torque =
-        (k == 0 ? torque_end(extreme, *constant) : 0.0) - gravity_.amplitude * sine[k] - friction_ * rate[k];
+        (k == 0 ? torque_end(extreme, *constant) : 0.0) - gravity_.amplitude * sines[k] - friction_ * rate[k];
     rate[k + 1] = torque * per_inertia * share;
     double of_sine = 0.0;
     double of_cosine = 0.0;
     for (std::size_t j = 0; j <= k; ++j) {
-      of_sine += rate[j] * cosine[k - j];
-      of_cosine -= rate[j] * sine[k - j];
+      of_sine += rate[j] * cosines[k - j];
+      of_cosine -= rate[j] * sines[k - j];
     }
-    sine[k + 1] = of_sine * share;
-    cosine[k + 1] = of_cosine * share;
+    sines[k + 1] = of_sine * share;
+    cosines[k + 1] = of_cosine * share;
   }
   return true;
 }
 
 SingleJointArm::Drive SingleJointArm::drive(std::optional<Extreme> extreme, JointState state) const {
-  const double held = gravity_.amplitude * std::sin(state.position - gravity_.phase) + rubbed_off(state.velocity);
+  const double held = gravity_.amplitude * sine(state.position - gravity_.phase) + rubbed_off(state.velocity);
   const Interval limits = torque_limits(torque_, state.position, state.velocity);
   const double span = limits.length() / inertia_;
   if (!extreme) return {0.0, held, span};
@@ -135,7 +137,7 @@ SingleJointArm::Drive SingleJointArm::drive(std::optional<Extreme> extreme, Join
 
 double SingleJointArm::torque(JointState state, double acceleration) const {
   return inertia_ * acceleration + friction_ * state.velocity +
-         gravity_.amplitude * std::sin(state.position - gravity_.phase);
+         gravity_.amplitude * sine(state.position - gravity_.phase);
 }
 
 }  // namespace dualarm
