@@ -154,10 +154,10 @@ double ArcMotion::speed_squared(double change) const {
 
 double ArcMotion::change_at(double root) const { return away_ * std::max(0.0, root * root - virtual_rest_); }
 
-/// d(root)/dt at position = virtual rest +- root^2: what is left of the speed when the singularity of a rest end, or of
-/// an end close to it, is gone.
-double ArcMotion::speed_near_anchor(double root) const {
-  return std::sqrt(std::max(speed_squared(change_at(root)), 0.0)) / (2.0 * root);
+/// dt/d(root) at position = virtual rest +- root^2: what is left of the time's rate when the singularity of a rest end,
+/// or of an end close to it, is gone.
+double ArcMotion::slowness_near_anchor(double root) const {
+  return 2.0 * root / std::sqrt(std::max(speed_squared(change_at(root)), 0.0));
 }
 
 double ArcMotion::first_root() const { return std::sqrt(virtual_rest_); }
@@ -167,7 +167,7 @@ double ArcMotion::last_root() const { return std::sqrt(virtual_rest_ + std::abs(
 void ArcMotion::expect_questions() {
   if (kind_ == ArcKind::kCruise || mean_acceleration_ || trace_) return;
   const auto series =
-      IntegralSeries::of([this](double root) { return 1.0 / speed_near_anchor(root); }, first_root(), last_root());
+      IntegralSeries::of([this](double root) { return slowness_near_anchor(root); }, first_root(), last_root());
   if (!series) return;
   const double end = backlash_ + series->up_to(last_root());
   if (std::abs(end - duration_) <= kSameDuration * duration_) clock_ = std::make_shared<IntegralSeries>(*series);
@@ -180,9 +180,11 @@ double ArcMotion::quadrature(double root) const {
   // Over [-1, 1], always: on shorter intervals Boost 1.74 compares an error of the unit interval with a tolerance of
   // the short one and subdivides to the last level.
   const double half = 0.5 * (root - first);
-  return half * boost::math::quadrature::gauss_kronrod<double, 21>::integrate(
-                    [&](double at) { return 1.0 / speed_near_anchor(first + half * (1.0 + at)); }, -1.0, 1.0,
-                    kQuadratureDepth, tolerance_);
+  const auto slowness = [&](double at) { return slowness_near_anchor(first + half * (1.0 + at)); };
+  using boost::math::quadrature::gauss_kronrod;
+  const bool is_lean = tolerance_ >= kLean;
+  return half * (is_lean ? gauss_kronrod<double, 15>::integrate(slowness, -1.0, 1.0, kQuadratureDepth, tolerance_)
+                         : gauss_kronrod<double, 21>::integrate(slowness, -1.0, 1.0, kQuadratureDepth, tolerance_));
 }
 
 double ArcMotion::time_from_anchor(double position) const {
@@ -227,7 +229,7 @@ JointState ArcMotion::from_anchor(double time) const {
   for (int i = 0; i < 60 && root > 0.0; ++i) {
     const double excess = quadrature(root) - time;
     (excess > 0.0 ? high : low) = root;
-    const double step = -excess * speed_near_anchor(root);
+    const double step = -excess / slowness_near_anchor(root);
     if (std::abs(step) <= 1e-15 * root || high - low <= 1e-15 * high) break;
     const double next = root + step;
     root = low < next && next < high ? next : 0.5 * (low + high);

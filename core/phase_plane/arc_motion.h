@@ -64,7 +64,7 @@ class ArcMotion {
   double last_root() const;
   double quadrature(double root) const;
   double change_at(double root) const;
-  double speed_near_anchor(double root) const;
+  double slowness_near_anchor(double root) const;
   double speed_squared(double change) const;
   JointState from_anchor(double time) const;
   std::vector<JointState> along_series(const JointState& from, double step, int count) const;
