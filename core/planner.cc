@@ -166,7 +166,7 @@ class Run {
   }
 
   Traveller traveller(int arm) const {
-    return {&systems_[arm], problem_.tasks[arm].start, problem_.tasks[arm].goal, fastest_[arm].profile};
+    return {&systems_[arm], problem_.tasks[arm].start, problem_.tasks[arm].goal, fastest_[arm].profile.asked_often()};
   }
 
   /// The fastest motions found through a passage, if they take less than `known` (s). Theory, section 4.
