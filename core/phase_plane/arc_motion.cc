@@ -165,7 +165,7 @@ double ArcMotion::first_root() const { return std::sqrt(virtual_rest_); }
 double ArcMotion::last_root() const { return std::sqrt(virtual_rest_ + std::abs(end_.position - start_.position)); }
 
 void ArcMotion::expect_questions() {
-  if (kind_ == ArcKind::kCruise || mean_acceleration_ || trace_) return;
+  if (kind_ == ArcKind::kCruise || mean_acceleration_ || trace_ || clock_) return;
   const auto series =
       IntegralSeries::of([this](double root) { return slowness_near_anchor(root); }, first_root(), last_root());
   if (!series) return;

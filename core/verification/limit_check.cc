@@ -25,6 +25,15 @@ Quantity velocity_along(const Quintic& piece, double rounding) {
           rounding};
 }
 
+/// The least and the largest value at knots, which use more than all between them.
+void visit_extremes(PeakSearch& search, const std::vector<Knot>& knots, double Knot::*what) {
+  const auto less = [what](const Knot& left, const Knot& right) { return left.*what < right.*what; };
+  for (const auto& knot :
+       {std::min_element(knots.begin(), knots.end(), less), std::max_element(knots.begin(), knots.end(), less)}) {
+    search.visit(knot->time, (*knot).*what);
+  }
+}
+
 /// How much rounding of torques a motion is forgiven. Less than the tolerance is free; what is more is a velocity over
 /// the time of its piece, and all of them together are a small part of the motion's own.
 class Forgiveness {
@@ -126,11 +135,9 @@ LimitReport check_limits(const Arm& arm, const std::vector<Knot>& knots, const I
   PeakSearch velocity(share_of_velocity, kPeakSlack * kVelocityTolerance);
   TorqueLimitSearch torque(torque_of_motion, arm.torque);
 
-  for (const Knot& knot : knots) {
-    range.visit(knot.time, knot.position);
-    velocity.visit(knot.time, knot.velocity);
-    torque.visit(knot);
-  }
+  visit_extremes(range, knots, &Knot::position);
+  visit_extremes(velocity, knots, &Knot::velocity);
+  for (const Knot& knot : knots) torque.visit(knot);
   const double most_velocity_rounding = kMostVelocityRounding * share_of_velocity.unit();
   Forgiveness forgiveness(kTorqueTolerance * least_half_width(arm.torque), knots);
   bool is_complete = true;

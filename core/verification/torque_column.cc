@@ -21,6 +21,7 @@ double mismatch(const Knot& knot, const JointTorque& needed) {
 /// factor.
 double departure_within(double time, double growth, const JointTorque& torque) {
   const double inertia = torque.inertia() / growth;
+  if (!(inertia > 0.0)) return std::numeric_limits<double>::infinity();
   const double y = 0.5 * time * std::sqrt(std::abs(torque.gravity_amplitude()) / inertia);
   const double of_gravity = y > 0.0 ? std::sinh(y) / y : 1.0;
   return (2.0 * time) * (2.0 * time) / (8.0 * inertia) * of_gravity * of_gravity;
@@ -34,27 +35,45 @@ double departure(double duration, const JointTorque& torque) {
                                   : std::min(from_both_knots, departure_within(duration, 1.0, torque));
 }
 
-/// The largest departure from the motion that the torques stand for.
+/// The largest departure, over pieces with their residual torques. Of pieces h long departure(h) / h^2 is no more than
+/// that of the longest one: the exponentials are only worth their time where the piece could be the worst one.
 class LargestDeparture {
  public:
   LargestDeparture(const JointTorque& torque, const Interpolant& motion) : torque_(torque) {
     double longest = 0.0;
     for (const Quintic& piece : motion.pieces()) longest = std::max(longest, piece.duration());
-    most_per_residual_ = departure(longest, torque);
+    if (longest > 0.0) most_per_square_ = departure(longest, torque) / (longest * longest) * kRoundedUp;
+    pieces_.reserve(motion.pieces().size());
   }
 
-  /// The exponentials are only worth their time where the piece could be the worst one.
   void visit(double residual, double duration) {
-    if (residual == 0.0 || residual * most_per_residual_ <= largest_) return;
-    largest_ = std::max(largest_, residual * departure(duration, torque_));
+    if (residual != 0.0) pieces_.push_back({residual, duration, residual * most_per_square_ * duration * duration});
   }
 
-  double largest() const { return largest_; }
+  double largest() const {
+    const auto worst = std::max_element(pieces_.begin(), pieces_.end(),
+                                        [](const Piece& left, const Piece& right) { return left.most < right.most; });
+    double largest = worst == pieces_.end() ? 0.0 : exactly(*worst);
+    for (const Piece& piece : pieces_) {
+      if (!(piece.most <= largest)) largest = std::max(largest, exactly(piece));
+    }
+    return largest;
+  }
 
  private:
+  static constexpr double kRoundedUp = 1.0 + 1e-12;
+
+  struct Piece {
+    double residual;  // N m
+    double duration;  // s
+    double most;      // rad
+  };
+
+  double exactly(const Piece& piece) const { return piece.residual * departure(piece.duration, torque_); }
+
   const JointTorque& torque_;
-  double most_per_residual_;
-  double largest_ = 0.0;  // rad
+  double most_per_square_ = 0.0;
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace
