@@ -128,10 +128,8 @@ class Projection {
 
   /// A superset of the differences that a cell forbids.
   std::vector<Interval> differences_of(const Cell& cell) const {
-    std::vector<Interval> differences;
-    for (const Interval& times : meetings_.times_over(cell.positions())) {
-      differences.push_back({cell.from_time - times.upper, cell.to_time - times.lower});
-    }
+    std::vector<Interval> differences = meetings_.times_over(cell.positions());
+    for (Interval& times : differences) times = {cell.from_time - times.upper, cell.to_time - times.lower};
     return differences;
   }
 
