@@ -177,7 +177,8 @@ class AnalyticPlanner {
   }
 
   Traveller traveller(int arm) const {
-    return {&prepared_.system(arm), problem_.tasks[arm].start, problem_.tasks[arm].goal, fastest_[arm].profile};
+    return {&prepared_.system(arm), problem_.tasks[arm].start, problem_.tasks[arm].goal,
+            fastest_[arm].profile.asked_often()};
   }
 
   /// The fastest motions found through a passage, if they take less than `known` (s). Theory, section 4.
