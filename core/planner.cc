@@ -234,16 +234,15 @@ class Run {
     return problem_.options.allows(Method::kStateTime) && problem_.options.region_model == RegionModel::kExact;
   }
 
-  /// Motions with rests on the way, by search. Theory, section 6.
+  /// Motions by search. Theory, section 6.
   std::optional<Answer> search() {
     if (!search_is_allowed()) return std::nullopt;
-    if (!rests_at_ends()) {
-      tried_.push_back("state-time search: not tried, because it plans from rest to rest only");
-      return std::nullopt;
-    }
     const auto start = Budget::Clock::now();
-    const SearchResult result =
-        search_state_time(problem_, {&systems_[0], &systems_[1]}, clearance(), kDefaultEvaluationLimit, budget_);
+    SearchRules rules;
+    rules.clearance = clearance();
+    rules.lower_bound = std::max(lower_bound_, margin_proof_.duration);
+    const Systems systems = {&systems_[0], &systems_[1]};
+    const SearchResult result = search_state_time(problem_, systems, rules, budget_);
     statistics_.fallback_seconds = seconds_since(start);
     statistics_.fallback_evaluation_count = result.evaluation_count;
     tried_.push_back(worded("state-time search: ", result.evaluation_count, " evaluations, ",

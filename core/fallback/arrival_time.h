@@ -7,20 +7,19 @@
 
 namespace dualarm {
 
-/// Both arms at rest at given positions (rad), whenever that is.
-class RestGoal final : public ompl::base::Goal {
+/// Both arms in given states, whenever that is.
+class StateGoal final : public ompl::base::Goal {
  public:
-  RestGoal(const ompl::base::SpaceInformationPtr& space, const JointPair& positions)
-      : Goal(space), positions_(positions) {}
+  StateGoal(const ompl::base::SpaceInformationPtr& space, const JointStates& states) : Goal(space), states_(states) {}
 
-  const JointPair& positions() const { return positions_; }
+  const JointStates& states() const { return states_; }
   bool isSatisfied(const ompl::base::State* state) const override;
 
  private:
-  JointPair positions_;
+  JointStates states_;
 };
 
-/// The cost of a path is the time (s) it ends at. Its cost-to-go is minimum_time to a RestGoal: exact for each arm
+/// The cost of a path is the time (s) it ends at. Its cost-to-go is minimum_time to a StateGoal: exact for each arm
 /// alone, never more than what both need.
 class ArrivalTime final : public ompl::base::OptimizationObjective {
  public:

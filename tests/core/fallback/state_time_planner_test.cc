@@ -20,7 +20,10 @@ constexpr int kInstants = 2000;
 
 SearchResult search(const Problem& problem, const ArmSystems& arms, int limit = kDefaultEvaluationLimit,
                     const Budget& budget = {}) {
-  return search_state_time(problem, arms.both(), kClearance, limit, budget);
+  SearchRules rules;
+  rules.clearance = kClearance;
+  rules.evaluation_limit = limit;
+  return search_state_time(problem, arms.both(), rules, budget);
 }
 
 void expect_same(const SearchResult& left, const SearchResult& right) {
@@ -122,8 +125,8 @@ TEST(SearchStateTime, LetsBothArmsWaitWhereBothAreBlocked) {
 TEST(SearchStateTime, PassesBeforeAnObjectComes) {
   Problem problem = paper_problem({60.0, 100.0}, {90.0, 120.0});
   MovingPlacement comes;
-  comes.track = PoseTrack({{1.2, Eigen::Isometry3d(Eigen::Translation3d(-9.0, 3.0, 0.0))},
-                           {1.6, Eigen::Isometry3d(Eigen::Translation3d(2.0, 3.0, 0.0))}});
+  comes.track = PoseTrack({{1.2, Eigen::Isometry3d(Eigen::Translation3d(2.6, 9.0, 0.0))},
+                           {1.6, Eigen::Isometry3d(Eigen::Translation3d(2.6, 4.5, 0.0))}});
   problem.objects = {{"ball", Capsule{{0, 0, 0}, {0, 0, 0}, 0.2}, comes}};
   const ArmSystems arms(problem);
   const SearchResult result = search(problem, arms, 3000);
@@ -229,8 +232,8 @@ TEST(SearchStateTime, FindsTheFastestMotionsWhereNothingIsInTheWay) {
   const ArmSystems arms(problem);
   const SearchResult result = search(problem, arms);
   ASSERT_TRUE(result.schedule);
-  const JointPair start = {60.0 * kDegree, 100.0 * kDegree};
-  EXPECT_NEAR(result.duration, minimum_time(arms.both(), start, {90.0 * kDegree, 170.0 * kDegree}), 1e-9);
+  const JointStates start = at_rest({60.0 * kDegree, 100.0 * kDegree});
+  EXPECT_NEAR(result.duration, minimum_time(arms.both(), start, at_rest({90.0 * kDegree, 170.0 * kDegree})), 1e-9);
 }
 
 TEST(SearchStateTime, LeavesAnArmAloneThatNeedNotMove) {

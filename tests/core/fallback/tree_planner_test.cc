@@ -20,8 +20,8 @@ class TreePlannerTest : public ::testing::Test {
   void define(double first_goal, double second_goal) {
     definition_ = std::make_shared<ob::ProblemDefinition>(search_.information);
     definition_->addStartState(search_.state(10.0, 40.0, 0.0));
-    const JointPair goal = {first_goal * kDegree, second_goal * kDegree};
-    definition_->setGoal(std::make_shared<RestGoal>(search_.information, goal));
+    const JointStates goal = at_rest({first_goal * kDegree, second_goal * kDegree});
+    definition_->setGoal(std::make_shared<StateGoal>(search_.information, goal));
     definition_->setOptimizationObjective(std::make_shared<ArrivalTime>(search_.information));
   }
 

@@ -1,0 +1,124 @@
+// How good the search in state-time space is when it is forced: `fallback_study optimal|retreat|tight|hard [count]`
+// prints a line a scene and a summary. docs/performance.md has its tables.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/planner.h"
+#include "tests/reference/hard_scenes.h"
+#include "tests/support/independent_check.h"
+#include "tests/support/problems.h"
+
+namespace dualarm {
+namespace {
+
+struct Run {
+  double seconds = 0.0;
+  int evaluations = 0;
+  double duration = 0.0;  // 0: no plan
+  double gap = 0.0;
+  std::string why;
+};
+
+Run run(Problem problem, bool is_forced, double seconds) {
+  if (is_forced) problem.options.methods = {Method::kStateTime};
+  const auto begin = Budget::Clock::now();
+  const auto limit = std::chrono::duration_cast<Budget::Clock::duration>(std::chrono::duration<double>(seconds));
+  const Outcome outcome = plan(problem, Budget(begin + limit));
+  Run run;
+  run.seconds = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
+  run.evaluations = outcome.statistics.fallback_evaluation_count;
+  if (const auto* found = std::get_if<Plan>(&outcome.answer)) {
+    run.duration = found->duration;
+    run.gap = found->certificate.gap;
+    const auto wrong = independent_check(problem, found->trajectory);
+    run.why = wrong.empty() ? name_of(found->method) : "WRONG: " + wrong.front();
+  } else if (const auto* refused = std::get_if<Infeasible>(&outcome.answer)) {
+    run.why = "INFEASIBLE: " + refused->explanation;
+  } else {
+    run.why = std::get<Undecided>(outcome.answer).tried.back();
+  }
+  return run;
+}
+
+double quantile(std::vector<double> values, double part) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
+}
+
+void summarise(const std::string& name, int count, const std::vector<double>& ratios,
+               const std::vector<double>& seconds) {
+  std::printf(
+      "%s: %zu of %d solved; ratio median %.4f, 95 %% %.4f, worst %.4f; seconds median %.3f, 95 %% %.3f, worst %.3f\n",
+      name.c_str(), ratios.size(), count, quantile(ratios, 0.5), quantile(ratios, 0.95), quantile(ratios, 1.0),
+      quantile(seconds, 0.5), quantile(seconds, 0.95), quantile(seconds, 1.0));
+}
+
+void optimal(int wanted) {
+  std::vector<double> ratios, seconds;
+  int count = 0;
+  for (std::uint64_t seed = 0; count < wanted; ++seed) {
+    const Problem problem = random_problem(seed);
+    const Outcome best = plan(problem, Budget());
+    const auto* found = std::get_if<Plan>(&best.answer);
+    if (found == nullptr || found->certificate.claim != Claim::kOptimal) continue;
+    ++count;
+    const Run forced = run(problem, true, 1.0);
+    if (forced.duration > 0.0) ratios.push_back(forced.duration / found->duration);
+    seconds.push_back(forced.seconds);
+    std::printf("seed %3d %-12s %.4f forced %.4f ratio %.4f %.3f s %d %s\n", static_cast<int>(seed),
+                name_of(found->method), found->duration, forced.duration, forced.duration / found->duration,
+                forced.seconds, forced.evaluations, forced.why.c_str());
+  }
+  summarise("optimal", count, ratios, seconds);
+}
+
+void retreat(bool is_tight, double known, int count) {
+  Problem problem = paper_problem({10.0, 40.0}, {40.0, 10.0}, is_tight ? 0.2 : 0.0);
+  if (is_tight) {
+    for (Arm& arm : problem.arms) arm.inertia = 12.0;
+  }
+  std::vector<double> ratios, seconds;
+  for (int seed = 0; seed < count; ++seed) {
+    problem.options.seed = seed;
+    const Run forced = run(problem, true, 1.0);
+    if (forced.duration > 0.0) ratios.push_back(forced.duration / known);
+    seconds.push_back(forced.seconds);
+    std::printf("seed %2d %.4f %.3f s %d %s\n", seed, forced.duration, forced.seconds, forced.evaluations,
+                forced.why.c_str());
+  }
+  summarise(is_tight ? "tight" : "retreat", count, ratios, seconds);
+}
+
+void hard(int each) {
+  for (const HardKind kind : kHardKinds) {
+    std::vector<double> ratios, seconds;
+    for (int seed = 0; seed < each; ++seed) {
+      const HardScene scene = hard_scene(kind, seed);
+      const Run found = run(scene.problem, false, 2.0);
+      if (found.duration > 0.0) ratios.push_back(found.duration / scene.witness_duration);
+      seconds.push_back(found.seconds);
+      std::printf("%s %d witness %.3f found %.3f gap %.3f %.3f s %d %s\n", name_of(kind), seed, scene.witness_duration,
+                  found.duration, found.gap, found.seconds, found.evaluations, found.why.c_str());
+    }
+    summarise(name_of(kind), each, ratios, seconds);
+  }
+}
+
+}  // namespace
+}  // namespace dualarm
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "retreat";
+  const int count = argc > 2 ? std::atoi(argv[2]) : 20;
+  if (what == "optimal") dualarm::optimal(count);
+  if (what == "retreat") dualarm::retreat(false, 2.144247, count);
+  if (what == "tight") dualarm::retreat(true, 1.2664, count);
+  if (what == "hard") dualarm::hard(count);
+  return 0;
+}

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/model/problem.h"
+
+namespace dualarm {
+
+/// What makes a scene hard.
+enum class HardKind {
+  kThreeZones,     ///< arms cross, objects cross either arm's way, a fixed one is beside it: mixed orders
+  kWindows,        ///< trains of balls cross an arm's way with gaps in between
+  kBackedRetreat,  ///< both arms have to retreat, objects pass or stand behind them
+  kMovingStarts,   ///< arms begin in motion towards each other, among objects
+  kMovingRetreat,  ///< the last two together
+  kDrives,         ///< like the first, with drives that fade with speed and friction
+};
+
+inline constexpr std::array<HardKind, 6> kHardKinds = {HardKind::kThreeZones,    HardKind::kWindows,
+                                                       HardKind::kBackedRetreat, HardKind::kMovingStarts,
+                                                       HardKind::kMovingRetreat, HardKind::kDrives};
+
+const char* name_of(HardKind kind);
+
+/// A problem, and how long a motion takes that is known to solve it.
+struct HardScene {
+  Problem problem;
+  double witness_duration = 0.0;  ///< s
+};
+
+/// A scene that has a solution: first a witness is drawn, both arms on a random way with rests and waits; then objects
+/// are placed, fixed and moving ones, that keep clear of the witness at every time but stand in the way of other
+/// motions. Some of them (by their seed) the planner's delays and passages solve too. Reproducible from its seed.
+HardScene hard_scene(HardKind kind, std::uint64_t seed);
+
+}  // namespace dualarm
