@@ -3,16 +3,24 @@
 #include <algorithm>
 
 namespace dualarm {
+
 Certificate certify(double duration, const KnownBounds& known) {
   Certificate certificate;
   certificate.lower_bound = known.fastest;
-  if (known.demanded.duration > known.fastest && known.demanded.gate) {
+  if (known.demanded.duration > certificate.lower_bound && known.demanded.gate) {
     certificate.lower_bound = known.demanded.duration;
     certificate.source = LowerBoundSource::kPassage;
     certificate.gate = known.demanded.gate;
   }
+  if (known.visit && known.visit->until > certificate.lower_bound) {
+    certificate.lower_bound = known.visit->until;
+    certificate.source = LowerBoundSource::kMovingObject;
+    certificate.gate.reset();
+    certificate.visit = known.visit;
+  }
   certificate.gap = duration > 0.0 ? std::max(0.0, duration / certificate.lower_bound - 1.0) : 0.0;
-  if (duration <= std::max(certificate.lower_bound, known.planned.duration) * (1.0 + kAtBound)) {
+  const double of_planned = std::max({certificate.lower_bound, known.planned.duration, known.planned_visit});
+  if (duration <= of_planned * (1.0 + kAtBound)) {
     certificate.claim = Claim::kOptimal;
   } else if (duration <= known.monotone * (1.0 + kAtBound)) {
     certificate.claim = Claim::kOptimalMonotone;

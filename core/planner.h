@@ -1,14 +1,35 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include "core/model/budget.h"
+#include "core/observer.h"
 #include "core/plan.h"
 
 namespace dualarm {
 
-/// Fastest verified motion of both arms, or why there is none. Analytic methods first; the search in state-time space
-/// only where they fail, until the budget is exhausted. Every returned plan has passed `verify`. The same problem gives
-/// the same plan; only a budget that runs out can turn a plan of the search into Undecided.
-/// Throws std::logic_error for bugs only (a problem that is not valid in the sense of problem.h is one).
-Outcome plan(const Problem& problem, const Budget& budget);
+/// One planning run in two steps, so that quick work and slow work may wait in different queues. Problem, budget and
+/// observer outlive it. Every plan has passed `verify`. The same problem gives the same plan; only a budget that runs
+/// out can turn a plan of the search into Undecided. Throws std::logic_error for bugs only (a problem that is not valid
+/// in the sense of problem.h is one).
+class PlanningRun {
+ public:
+  PlanningRun(const Problem& problem, const Budget& budget, const Observer& observer);
+  ~PlanningRun();
+
+  /// The analytic methods: milliseconds. Nothing where only the search can decide; otherwise the answer.
+  std::optional<Outcome> quick();
+
+  /// The search in state-time space, after quick() gave nothing: until it is done or the budget is exhausted.
+  Outcome search();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Both steps: the fastest verified motion of both arms, or why there is none.
+Outcome plan(const Problem& problem, const Budget& budget, const Observer& observer = {});
 
 }  // namespace dualarm

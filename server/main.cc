@@ -37,8 +37,9 @@ void write_port(const std::string& path, int port) {
 }
 
 void serve(const ServerOptions& options, const sigset_t& stop_signals) {
-  dualarm::PlanningServer server(options,
-                                 {dualarm::plan, dualarm::verify, dualarm::forbidden_region, dualarm::arm_portrait});
+  dualarm::PlanningServer server(
+      options, {[](const auto& problem, const auto& budget) { return dualarm::plan(problem, budget); }, dualarm::verify,
+                dualarm::forbidden_region, dualarm::arm_portrait});
   write_port(options.port_file, server.port());
   spdlog::info("dualarm-server " DUALARM_VERSION " listening on {}", server.address());
   int signal = 0;

@@ -22,6 +22,10 @@ std::string plain(const std::string& name, const std::string& prefix, char betwe
 /// What the lower bound rests on.
 std::string bound_words(const Plan& plan) {
   const Certificate& certificate = plan.certificate();
+  if (certificate.source() == LOWER_BOUND_SOURCE_MOVING_OBJECT) {
+    const GoalVisit& visit = certificate.visit();
+    return fmt::format("{} passes the goal of {} until {}", visit.object(), visit.arm(), seconds(visit.until_s()));
+  }
   if (certificate.source() != LOWER_BOUND_SOURCE_PASSAGE || !certificate.has_gate()) {
     return fmt::format("the slower arm on its own takes at least {}", seconds(certificate.lower_bound_s()));
   }

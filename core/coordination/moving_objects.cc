@@ -153,4 +153,9 @@ std::optional<IntervalSet> forbidden_starts(const Profile& motion, const Base& b
   return IntervalSet(std::move(starts));
 }
 
+double last_meeting(double position, const Base& base, const Body& body, const TrackedBody& object, double clearance) {
+  const std::vector<Interval> times = Traffic(base, {body}, {object}, clearance).times_at(position);
+  return times.empty() ? -kInfinity : times.back().upper;
+}
+
 }  // namespace dualarm

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "core/verification/tolerances.h"
 #include "geometry/motion_bound.h"
 #include "geometry/support.h"
 
@@ -145,6 +147,19 @@ double cut_of(const CarriedBody& body, Interval time) {
   if (track == nullptr) return middle_of(time);
   const auto [first, end] = corners_inside(*track, time);
   return first != end ? first[(end - first) / 2].time : middle_of(time);
+}
+
+double last_corner(const std::vector<CarriedBody>& bodies) {
+  double last = -std::numeric_limits<double>::infinity();
+  for (const CarriedBody& body : bodies) {
+    if (const PoseTrack* track = track_of(body)) last = std::max(last, track->end_time());
+  }
+  return last;
+}
+
+bool stands_after(const CarriedBody& body, double time) {
+  const auto* joint = std::get_if<CarryingJoint>(&body.carrier);
+  return joint != nullptr && std::abs(joint->motion->state(time).velocity) <= kStateTolerance;
 }
 
 TurningBody turning_body(const CarriedBody& body, Interval time) {

@@ -47,6 +47,12 @@ double farthest_way(const CarriedBody& body, Interval time);
 bool has_corner_inside(const CarriedBody& body, Interval time);
 double cut_of(const CarriedBody& body, Interval time);
 
+/// The time (s) of the last corner of all the bodies' tracks; minus infinity where none is on a track.
+double last_corner(const std::vector<CarriedBody>& bodies);
+
+/// Whether the joint that carries a body has come to rest by a time (s), to stay there.
+bool stands_after(const CarriedBody& body, double time);
+
 /// The body over an interval that has no corner inside.
 TurningBody turning_body(const CarriedBody& body, Interval time);
 

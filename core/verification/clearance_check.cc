@@ -34,11 +34,12 @@ struct Candidate {
 class ClearanceSearch {
  public:
   ClearanceSearch(const CarriedBodies& bodies, double duration, double demanded)
-      : demanded_(std::max(demanded, kTouching)),
+      : duration_(duration),
+        demanded_(std::max(demanded, kTouching)),
         pairs_(pairs_that_may_meet(bodies, duration, demanded_)),
         sightings_(pairs_.size()) {
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
-      Candidate whole = {pair, {0.0, duration}};
+      Candidate whole = {pair, pairs_[pair].time};
       const double swept = pairs_[pair].swept_distance;
       whole.lower_bound = swept >= demanded_ ? swept : -std::numeric_limits<double>::infinity();
       candidates_.push(whole);
@@ -113,7 +114,7 @@ class ClearanceSearch {
     const Sighting& sighting = sightings_[pair];
     return {ViolationKind::kClearance,
             sentence(pairs_[pair].pair.first->body.name, " and ", pairs_[pair].pair.second->body.name, " are ",
-                     sighting.distance, " m apart at ", sighting.time, " s, at (",
+                     sighting.distance, " m apart at ", sighting.time, " s", afterwards(sighting.time), ", at (",
                      sighting.clearance.point_on_first.transpose(), ") and (",
                      sighting.clearance.point_on_second.transpose(), ") m; ", demanded_, " m are demanded"),
             "",
@@ -122,20 +123,25 @@ class ClearanceSearch {
             demanded_};
   }
 
+  const char* afterwards(double time) const {
+    return time > duration_ ? ", when the motion is over and the arm stands at its goal" : "";
+  }
+
   Violation unknown(const Candidate& lowest) const {
     const BodyPair& pair = pairs_[lowest.pair].pair;
     const double middle = 0.5 * (lowest.time.lower + lowest.time.upper);
     return {ViolationKind::kClearanceUnknown,
             sentence("the clearance of ", pair.first->body.name, " and ", pair.second->body.name, " around ", middle,
-                     " s is not proven after ", query_count_, " distance queries: seen ", lowest.distance,
-                     " m, proven ", lowest.lower_bound, " m, demanded ", demanded_, " m"),
+                     " s", afterwards(middle), " is not proven after ", query_count_, " distance queries: seen ",
+                     lowest.distance, " m, proven ", lowest.lower_bound, " m, demanded ", demanded_, " m"),
             "",
             middle,
             lowest.lower_bound,
             demanded_};
   }
 
-  double demanded_;
+  double duration_;  ///< s
+  double demanded_;  ///< m
   std::vector<BoundedPair> pairs_;
   std::vector<Sighting> sightings_;
   std::priority_queue<Candidate> candidates_;

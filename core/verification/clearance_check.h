@@ -19,6 +19,7 @@ struct ClearanceReport {
 
 /// Proves or refutes the demanded clearance of all pairs of bodies from time 0 to `duration`: the bodies that move with
 /// one arm against those of the other, and against those that stand still or move by themselves, at their own times.
+/// An arm that is at rest at the end stays there: what moves by itself may not come too close to it later either.
 /// Bodies of one arm are rigidly connected, and objects in the world may overlap each other, so these are not compared
 /// among themselves. Bodies that touch collide, also where 0 is demanded.
 ///

@@ -166,6 +166,7 @@ double Interpolant::travel(Interval time) const {
 
 Interpolant::Bounds Interpolant::bounds(Interval time) const {
   Bounds most;
+  if (pieces_.empty() || time.lower >= pieces_.back().time().upper) return most;
   const auto include = [&most](double speed, double acceleration) {
     most.speed = std::max(most.speed, speed);
     most.acceleration = std::max(most.acceleration, acceleration);

@@ -31,7 +31,7 @@ struct Violation {
   ViolationKind kind = ViolationKind::kArm;
   std::string explanation;  ///< a sentence with names, times and numbers
   std::string arm;          ///< empty where both arms or none are meant
-  double time = 0.0;        ///< s
+  double time = 0.0;        ///< s; behind the motion's end where an object comes to an arm that stands at its goal
   double value = 0.0;       ///< what was found, in the unit of the claim
   double limit = 0.0;       ///< what was demanded
 };
@@ -43,7 +43,7 @@ struct Utilisation {
   double time = 0.0;  ///< s
 };
 
-/// The closest encounter of the whole motion.
+/// The closest encounter of the whole motion, and of the time after it in which objects still move.
 struct ClosestApproach {
   double time = 0.0;  ///< s
   std::string first_body;

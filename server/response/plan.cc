@@ -28,6 +28,8 @@ wire::LowerBoundSource source_message(LowerBoundSource source) {
       return wire::LOWER_BOUND_SOURCE_FASTEST_MOTIONS;
     case LowerBoundSource::kPassage:
       return wire::LOWER_BOUND_SOURCE_PASSAGE;
+    case LowerBoundSource::kMovingObject:
+      return wire::LOWER_BOUND_SOURCE_MOVING_OBJECT;
   }
   throw std::logic_error("a LowerBoundSource without a word on the wire");
 }
@@ -68,6 +70,15 @@ wire::Gate gate_message(const Gate& gate, const Trajectory& trajectory) {
   return message;
 }
 
+wire::GoalVisit visit_message(const GoalVisit& visit, const Trajectory& trajectory) {
+  wire::GoalVisit message;
+  message.set_arm(trajectory[visit.arm].arm);
+  message.set_object(visit.object);
+  message.set_body(visit.body);
+  message.set_until_s(visit.until);
+  return message;
+}
+
 wire::Certificate certificate_message(const Certificate& certificate, const Trajectory& trajectory) {
   wire::Certificate message;
   message.set_lower_bound_s(certificate.lower_bound);
@@ -75,6 +86,7 @@ wire::Certificate certificate_message(const Certificate& certificate, const Traj
   message.set_claim(claim_message(certificate.claim));
   message.set_source(source_message(certificate.source));
   if (certificate.gate) *message.mutable_gate() = gate_message(*certificate.gate, trajectory);
+  if (certificate.visit) *message.mutable_visit() = visit_message(*certificate.visit, trajectory);
   for (const Interval& delays : certificate.safe_start_delays.intervals()) {
     wire::Interval& interval = *message.add_safe_start_delays_s();
     interval.set_min(delays.lower);

@@ -9,6 +9,7 @@
 #include "core/coordination/start_times.h"
 #include "core/planner.h"
 #include "tests/core/coordination/random_traffic.h"
+#include "tests/core/planner_answers.h"
 #include "tests/support/independent_check.h"
 
 namespace dualarm {
@@ -67,23 +68,56 @@ TEST(PlanAmongMovingObjects, BeginsAtTheBestPairOfStartTimesAndIsProven) {
   EXPECT_LE(lost, 2);
 }
 
-TEST(PlanAmongMovingObjects, IsNotCalledImpossibleForTheirSake) {
-  // A ball parks in the goal of arm 1; other methods than delays are not allowed.
+/// Arm 1 alone from 30 to 60 degrees, and a ball that goes straight down, from 9 m above its way at `begin` (s) on, to
+/// the joint's height at `begin` + 5 s, and out of reach in 1 s more if it is to leave.
+Problem falling_ball_problem(double begin, bool leaves) {
   Problem problem = paper_problem({30, 60}, {60, 30}, 0.05);
   problem.arms[1].base.position.x() = 100.0;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = Eigen::Vector3d(2.0, 2.0 * std::sqrt(3.0), 9.0);
-  std::vector<TimedPose> poses = {{0.0, pose}};
-  pose.translation().z() = 0.0;
-  poses.push_back({5.0, pose});
+  const auto at_height = [](double height) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = Eigen::Vector3d(2.0, 2.0 * std::sqrt(3.0), height);
+    return pose;
+  };
+  std::vector<TimedPose> poses = {{begin, at_height(9.0)}, {begin + 5.0, at_height(0.0)}};
+  if (leaves) poses.push_back({begin + 6.0, at_height(-9.0)});
   problem.objects = {
       {"ball", Capsule{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.2}, MovingPlacement{PoseTrack(poses)}}};
-  problem.options.methods = {Method::kSimultaneous, Method::kDelay};
-  const Outcome outcome = plan(problem, Budget());
-  ASSERT_TRUE(std::holds_alternative<Undecided>(outcome.answer) || std::holds_alternative<Infeasible>(outcome.answer));
-  if (const auto* refusal = std::get_if<Infeasible>(&outcome.answer)) {
-    EXPECT_EQ(refusal->reason, InfeasibleReason::kGoalInCollision);
+  return problem;
+}
+
+TEST(PlanAmongMovingObjects, IsImpossibleWhereOneStaysAtAGoal) {
+  for (const Method method : {Method::kDelay, Method::kStateTime}) {
+    Problem problem = falling_ball_problem(3.0, false);
+    problem.options.methods = {method};
+    const Infeasible refusal = must_refuse(problem);
+    EXPECT_EQ(refusal.reason, InfeasibleReason::kGoalInCollision);
+    EXPECT_EQ(refusal.evidence.arm, problem.arms[0].name);
+    EXPECT_EQ(refusal.evidence.second_body, "ball");
   }
+}
+
+TEST(PlanAmongMovingObjects, DoesNotEndBeforeTheLastHasPassedAGoal) {
+  // The ball comes down long after the arms could have arrived: one rule for every method.
+  for (const Method method : {Method::kSimultaneous, Method::kDelay, Method::kPassage, Method::kStateTime}) {
+    Problem problem = falling_ball_problem(10.0, true);
+    problem.options.methods = {Method::kDelay, method};
+    if (method == Method::kStateTime) problem.options.methods = {method};
+    const Plan found = must_plan(problem);
+    const double passed = 15.0 + 0.25 / 9.0;  // s: 0.05 and 0.2 m below the arm's axis
+    EXPECT_NEAR(found.certificate.lower_bound, passed, 1e-3);
+    EXPECT_EQ(found.certificate.source, LowerBoundSource::kMovingObject);
+    ASSERT_TRUE(found.certificate.visit);
+    EXPECT_EQ(found.certificate.visit->object, "ball");
+    EXPECT_GE(found.duration, found.certificate.lower_bound);
+  }
+}
+
+TEST(PlanAmongMovingObjects, MayEndBeforeOnePassesAGoalThatAnArmLeaves) {
+  Problem problem = falling_ball_problem(10.0, true);
+  problem.tasks[0].goal.velocity = 0.2;
+  const Plan found = must_plan(problem);
+  EXPECT_LT(found.duration, 3.0);
+  EXPECT_EQ(found.certificate.source, LowerBoundSource::kFastestMotions);
 }
 
 }  // namespace

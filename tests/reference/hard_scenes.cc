@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/phase_plane/time_optimal.h"
+#include "core/planner.h"
 #include "core/systems/single_joint_arm.h"
 #include "tests/support/dice.h"
 #include "tests/support/exact_distance.h"
@@ -20,8 +21,10 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSamplePeriod = 0.004;  // s, of a witness
 constexpr double kRoom = 0.06;           // m, that witnesses keep: more than 4 ms at these speeds take
-constexpr double kNear = 1.2;            // m: an object farther from the witness all the time is in nobody's way
-constexpr double kAfter = 1.5;           // s, that objects may go on after the witness has ended
+constexpr double kComesFrom = 12.0;      // m, before and after the place where it is in the way
+constexpr double kPostShare = 0.2;       // of objects that stand still
+constexpr int kMostObjectTries = 150;
+constexpr std::size_t kMostObjects = 12;
 
 /// Where both arms are, every kSamplePeriod.
 using Witness = std::vector<std::array<double, kArmCount>>;
@@ -91,11 +94,19 @@ double distance_from(const Problem& problem, const Witness& witness, const Objec
 
 Eigen::Isometry3d at(const Eigen::Vector3d& place) { return Eigen::Isometry3d(Eigen::Translation3d(place)); }
 
-/// Somewhere that an arm may sweep.
-Eigen::Vector3d place_in_reach(Dice& dice, const Arm& arm) {
-  const double direction = arm.base.heading + arm.base.sense() * dice.between(10.0, 110.0) * kDegree;
-  return arm.base.position +
-         arm.length * dice.between(0.55, 1.05) * Eigen::Vector3d(std::cos(direction), std::sin(direction), 0.0);
+/// A plan by delays and passages, if they give one.
+std::optional<Plan> analytic_plan(Problem problem) {
+  problem.options.methods = {Method::kSimultaneous, Method::kDelay, Method::kPassage};
+  Outcome outcome = plan(problem, Budget());
+  if (auto* found = std::get_if<Plan>(&outcome.answer)) return std::move(*found);
+  return std::nullopt;
+}
+
+/// Where an arm is in a plan at a time (s), to some millimetres.
+double position_in(const Plan& plan, int arm, double time) {
+  const std::vector<Knot>& knots = plan.trajectory[arm].knots;
+  const auto after = std::find_if(knots.begin(), knots.end(), [time](const Knot& knot) { return knot.time >= time; });
+  return after == knots.end() ? knots.back().position : after->position;
 }
 
 Capsule random_body(Dice& dice) {
@@ -105,23 +116,29 @@ Capsule random_body(Dice& dice) {
   return {-end, end, dice.between(0.15, 0.4)};
 }
 
-/// Crosses an arm's sweep in a straight line, or goes there, stays for a while and leaves.
-Object crossing(Dice& dice, const Arm& arm, double until, const std::string& name) {
-  const Eigen::Vector3d place = place_in_reach(dice, arm);
+/// On an arm of a plan at a time (s).
+Eigen::Vector3d place_on(Dice& dice, const Problem& problem, const Plan& plan, int arm, double time) {
+  const Capsule axis = link(problem.arms[arm], position_in(plan, arm, time));
+  return axis.start + dice.between(0.6, 1.0) * (axis.end - axis.start);
+}
+
+/// Crosses an arm's way in a plan in a straight line, or goes there, stays for a while and leaves.
+Object crossing(Dice& dice, const Problem& problem, const Plan& plan, const std::string& name) {
+  const double there = dice.between(0.1, 0.95) * plan.duration;
+  const Eigen::Vector3d place = place_on(dice, problem, plan, dice.one_of(kArmCount), there);
   const double bearing = dice.between(0.0, 2.0 * std::numbers::pi);
-  const Eigen::Vector3d way = 12.0 * Eigen::Vector3d(std::cos(bearing), std::sin(bearing), 0.0);
+  const Eigen::Vector3d way = kComesFrom * Eigen::Vector3d(std::cos(bearing), std::sin(bearing), 0.0);
   const double speed = dice.between(2.0, 8.0);
-  const double there = dice.between(0.0, until);
   const double stay = dice.happens(0.5) ? 0.0 : dice.between(0.1, 1.0);
-  std::vector<TimedPose> poses = {{there - 12.0 / speed, at(place - way)}, {there, at(place)}};
+  std::vector<TimedPose> poses = {{there - kComesFrom / speed, at(place - way)}, {there, at(place)}};
   if (stay > 0.0) poses.push_back({there + stay, at(place)});
-  poses.push_back({there + stay + 12.0 / speed, at(place + way)});
+  poses.push_back({there + stay + kComesFrom / speed, at(place + way)});
   return {name, random_body(dice), MovingPlacement{PoseTrack(poses)}};
 }
 
 /// Balls one after the other on one line.
-std::vector<Object> train(Dice& dice, const Arm& arm, double until, const std::string& name) {
-  const Object first = crossing(dice, arm, 0.5 * until, name + " 1");
+std::vector<Object> train(Dice& dice, const Problem& problem, const Plan& plan, const std::string& name) {
+  const Object first = crossing(dice, problem, plan, name + " 1");
   const double period = dice.between(0.5, 1.2);
   std::vector<Object> balls = {first};
   for (int i = 1; i < 4; ++i) {
@@ -132,21 +149,36 @@ std::vector<Object> train(Dice& dice, const Arm& arm, double until, const std::s
   return balls;
 }
 
-Object post(Dice& dice, const Arm& arm, const std::string& name) {
-  return {name, random_body(dice), FixedPlacement{at(place_in_reach(dice, arm))}};
+Object post(Dice& dice, const Problem& problem, const Plan& plan, const std::string& name) {
+  const double time = dice.between(0.1, 0.95) * plan.duration;
+  return {name, random_body(dice), FixedPlacement{at(place_on(dice, problem, plan, dice.one_of(kArmCount), time))}};
 }
 
-/// Adds objects that leave the witness its room and are near it; as many as are wanted, if they can be found.
-template <class Draw>
-void place(Problem& problem, const Witness& witness, int wanted, const Draw& draw) {
-  for (int tries = 0; tries < 120 && wanted > 0; ++tries) {
-    const std::vector<Object> objects = draw();
-    double least = std::numeric_limits<double>::infinity();
-    for (const Object& object : objects) least = std::min(least, distance_from(problem, witness, object));
-    if (least < kRoom || least > kNear) continue;
+/// Puts objects in the way of plans by delays and passages, until there are none. False where that is not possible
+/// with what the witness leaves, or where there has been none before.
+bool obstruct(Dice& dice, HardKind kind, Problem& problem, const Witness& witness) {
+  int number = 0;
+  std::optional<Plan> plan = analytic_plan(problem);
+  for (int tries = 0; tries < kMostObjectTries && plan; ++tries) {
+    const std::string name = "object " + std::to_string(number + 1);
+    std::vector<Object> objects;
+    if (kind == HardKind::kWindows) {
+      objects = train(dice, problem, *plan, name);
+    } else if (dice.happens(kPostShare)) {
+      objects = {post(dice, problem, *plan, name)};
+    } else {
+      objects = {crossing(dice, problem, *plan, name)};
+    }
+    const bool leaves_room = std::all_of(objects.begin(), objects.end(), [&](const Object& object) {
+      return distance_from(problem, witness, object) >= kRoom;
+    });
+    if (!leaves_room) continue;
     problem.objects.insert(problem.objects.end(), objects.begin(), objects.end());
-    --wanted;
+    if (problem.objects.size() > kMostObjects) return false;
+    ++number;
+    plan = analytic_plan(problem);
   }
+  return !plan && number > 0;
 }
 
 Problem arms_with_tasks(Dice& dice, HardKind kind) {
@@ -205,16 +237,7 @@ HardScene hard_scene(HardKind kind, std::uint64_t seed) {
     const auto witness = random_witness(dice, problem);
     if (!witness) continue;
     const double duration = kSamplePeriod * static_cast<double>(witness->size() - 1);
-    const double until = duration + kAfter;
-    int number = 0;
-    const auto arm = [&]() -> const Arm& { return problem.arms[number % kArmCount]; };
-    const auto one = [&] { return std::vector{crossing(dice, arm(), until, "object " + std::to_string(++number))}; };
-    if (kind == HardKind::kWindows) {
-      place(problem, *witness, 2, [&] { return train(dice, arm(), until, "train " + std::to_string(++number)); });
-    } else {
-      place(problem, *witness, 4, one);
-    }
-    place(problem, *witness, 1, [&] { return std::vector{post(dice, arm(), "post " + std::to_string(++number))}; });
+    if (!obstruct(dice, kind, problem, *witness)) continue;
     problem.options.seed = seed;
     return {problem, duration};
   }

@@ -29,9 +29,10 @@ struct HardScene {
   double witness_duration = 0.0;  ///< s
 };
 
-/// A scene that has a solution: first a witness is drawn, both arms on a random way with rests and waits; then objects
-/// are placed, fixed and moving ones, that keep clear of the witness at every time but stand in the way of other
-/// motions. Some of them (by their seed) the planner's delays and passages solve too. Reproducible from its seed.
+/// A scene that has a solution but none that the planner knows without search: first a witness is drawn, both arms on a
+/// random way with rests and waits; then the planner's delays and passages are tried, and objects, fixed and moving
+/// ones, are put in the way of what they find, at the place and the time, if they keep clear of the witness; until
+/// nothing is found. Reproducible from its seed.
 HardScene hard_scene(HardKind kind, std::uint64_t seed);
 
 }  // namespace dualarm

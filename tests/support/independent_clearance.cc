@@ -14,6 +14,7 @@ namespace {
 
 /// Position by the six basis polynomials of quintic Hermite interpolation. `k` moves on with the time.
 double position_at(const std::vector<Knot>& knots, std::size_t& k, double time) {
+  if (time >= knots.back().time) return knots.back().position;
   while (k + 2 < knots.size() && knots[k + 1].time <= time) ++k;
   const Knot& a = knots[k];
   const Knot& b = knots[k + 1];
@@ -89,52 +90,82 @@ struct Sampled {
   }
 };
 
+/// The instants that are looked at, s.
+struct Instants {
+  double begin = 0.0;
+  double step = 0.0;
+  int count = 0;
+
+  double time(int instant) const { return begin + instant * step; }
+};
+
 /// Looks at one pair at every instant that could be closer than the closest so far.
-void look_at(const Sampled& first, const Sampled& second, int instants, double step, SampledApproach& closest) {
+void look_at(const Sampled& first, const Sampled& second, const Instants& instants, SampledApproach& closest) {
   int measured_at = 0;
   double measured = 0.0;
-  for (int instant = 0; instant < instants; ++instant) {
+  for (int instant = 0; instant < instants.count; ++instant) {
     const double way = first.moved_since(measured_at, instant) + second.moved_since(measured_at, instant);
     if (instant > 0 && measured - way >= closest.distance) continue;
     measured = static_cast<double>(exact_distance(first.at(instant), second.at(instant)));
     measured_at = instant;
-    if (measured < closest.distance) closest = {measured, instant * step, first.body.name, second.body.name};
+    if (measured < closest.distance) closest = {measured, instants.time(instant), first.body.name, second.body.name};
+  }
+}
+
+std::vector<Place> places_of(const Base& base, const std::vector<Knot>& knots, const Instants& instants) {
+  std::vector<Place> places;
+  std::size_t knot = 0;
+  for (int i = 0; i < instants.count; ++i) places.push_back(place_of(base, position_at(knots, knot, instants.time(i))));
+  return places;
+}
+
+/// The arms that count against everything that moves by itself.
+void look_at_movers(const Problem& problem, const Trajectory& trajectory, const std::vector<int>& arms,
+                    const Instants& instants, SampledApproach& closest) {
+  for (const TrackedBody& mover : tracked_bodies(problem)) {
+    std::vector<Place> on_track;
+    for (int i = 0; i < instants.count; ++i) on_track.push_back(place_on(*mover.track, instants.time(i)));
+    for (const int arm : arms) {
+      const std::vector<Place> of_arm = places_of(problem.arms[arm].base, trajectory[arm].knots, instants);
+      for (const Body& body : moving_bodies(problem, arm)) {
+        look_at({body, &of_arm}, {mover.body, &on_track}, instants, closest);
+      }
+    }
   }
 }
 
 }  // namespace
 
-SampledApproach sampled_approach(const Problem& problem, const Trajectory& trajectory, int instants) {
-  const double step = trajectory[0].knots.back().time / (instants - 1);
-  std::array<std::vector<Place>, kArmCount> of_arm;
-  for (int arm = 0; arm < kArmCount; ++arm) {
-    std::size_t knot = 0;
-    for (int i = 0; i < instants; ++i) {
-      const double position = position_at(trajectory[arm].knots, knot, i * step);
-      of_arm[arm].push_back(place_of(problem.arms[arm].base, position));
-    }
-  }
+SampledApproach sampled_approach(const Problem& problem, const Trajectory& trajectory, int count) {
+  const double end = trajectory[0].knots.back().time;
+  const Instants instants = {0.0, end / (count - 1), count};
+  const std::array<std::vector<Place>, kArmCount> of_arm = {
+      places_of(problem.arms[0].base, trajectory[0].knots, instants),
+      places_of(problem.arms[1].base, trajectory[1].knots, instants)};
   const std::vector<Place> still = {Place{}};
-  std::vector<std::vector<Place>> of_track;
-  std::vector<Sampled> others;
-  for (const Body& body : fixed_bodies(problem)) others.push_back({body, &still});
-  const std::vector<TrackedBody> tracked = tracked_bodies(problem);
-  of_track.reserve(tracked.size());
-  for (const TrackedBody& mover : tracked) {
-    std::vector<Place>& places = of_track.emplace_back();
-    for (int i = 0; i < instants; ++i) places.push_back(place_on(*mover.track, i * step));
-    others.push_back({mover.body, &places});
-  }
   SampledApproach closest = {std::numeric_limits<double>::infinity(), 0.0, "", ""};
   for (const Body& first : moving_bodies(problem, 0)) {
     for (const Body& second : moving_bodies(problem, 1)) {
-      look_at({first, &of_arm[0]}, {second, &of_arm[1]}, instants, step, closest);
+      look_at({first, &of_arm[0]}, {second, &of_arm[1]}, instants, closest);
     }
   }
   for (int arm = 0; arm < kArmCount; ++arm) {
     for (const Body& body : moving_bodies(problem, arm)) {
-      for (const Sampled& other : others) look_at({body, &of_arm[arm]}, other, instants, step, closest);
+      for (const Body& fixed : fixed_bodies(problem)) look_at({body, &of_arm[arm]}, {fixed, &still}, instants, closest);
     }
+  }
+  look_at_movers(problem, trajectory, {0, 1}, instants, closest);
+
+  // What comes after: arms that rest at their goals stay there while objects move.
+  std::vector<int> standing;
+  for (int arm = 0; arm < kArmCount; ++arm) {
+    if (problem.tasks[arm].goal.velocity == 0.0) standing.push_back(arm);
+  }
+  double settled = end;
+  for (const TrackedBody& mover : tracked_bodies(problem))
+    settled = std::max(settled, mover.track->poses().back().time);
+  if (settled > end) {
+    look_at_movers(problem, trajectory, standing, {end, (settled - end) / (count - 1), count}, closest);
   }
   return closest;
 }

@@ -40,7 +40,7 @@ TEST(PassageProof, IsNeverBeatenByPlansOfTheStateTimeSearch) {
     const double longer = std::max(scene.travellers[0].fastest.duration(), scene.travellers[1].fastest.duration());
     if (proof.duration <= longer * (1.0 + 1e-9) || !std::isfinite(proof.duration)) continue;
     const SearchResult result = search_state_time(problem, {&scene.systems[0], &scene.systems[1]},
-                                                  problem.options.clearance + kMargin, kEvaluations, Budget());
+                                                  problem.options.clearance + kMargin, 0.0, kEvaluations, Budget());
     if (!result.schedule) continue;
     ++compared;
     EXPECT_GE(result.duration, proof.duration);

@@ -127,19 +127,58 @@ TEST(ObjectClearance, OfWhatMovesByItselfIsProven) {
   expect_proof(problem, trajectory, "box that shakes beside arm 1", 400);
 }
 
-TEST(ObjectClearance, OfWhatMovesByItselfCountsOnlyWhileThePlanLasts) {
+/// A box that falls on arm 1's goal from `time` (s) on.
+Object box_that_passes(double time) {
+  return {"mover", box_of(0.1, 0.1, 0.1),
+          MovingPlacement{PoseTrack({{time, pose_of(2.0, 9.0)}, {time + 0.1, pose_of(2.0, 3.46)}})}};
+}
+
+TEST(ObjectClearance, OfWhatMovesByItselfCountsWhileItMovesAlsoBehindTheEnd) {
+  Problem problem = crossing_problem();
+  const Trajectory trajectory = parabolic_motion(problem, {0.0, 0.4});
+  const double end = trajectory[0].knots.back().time;
+  for (const double time : {end - 0.1, end, end + 100.0}) {
+    SCOPED_TRACE(time);
+    problem.objects = {box_that_passes(time)};
+    const ClearanceReport report = clearance_of(problem, trajectory);
+    EXPECT_FALSE(report.collision_free);
+    ASSERT_EQ(report.violations.size(), 1u);
+    EXPECT_GE(report.violations[0].time, time);
+    EXPECT_EQ(report.violations[0].explanation.find("when the motion is over") != std::string::npos,
+              report.violations[0].time > end);
+    EXPECT_LT(report.distance_query_count, 400);
+  }
+}
+
+TEST(ObjectClearance, BehindTheEndIsThatOfTheArmsThatStand) {
   Problem problem = crossing_problem();
   const Trajectory trajectory = parabolic_motion(problem, {0.0, 0.4});
   const double end = trajectory[0].knots.back().time;
   const double free = clearance_of(problem, trajectory).min_clearance;
-  const auto pass_at = [&](double time) {
-    problem.objects = {{"mover", box_of(0.1, 0.1, 0.1),
-                        MovingPlacement{PoseTrack({{time, pose_of(2.0, 9.0)}, {time + 0.1, pose_of(2.0, 3.46)}})}}};
-    return clearance_of(problem, trajectory);
-  };
-  EXPECT_FALSE(pass_at(end - 0.1).collision_free);
-  EXPECT_TRUE(pass_at(end).collision_free);
-  EXPECT_NEAR(pass_at(end).min_clearance, free, 1e-5);
+  problem.objects = {box_that_passes(end + 1.0)};
+  Trajectory moving = trajectory;
+  moving[0].knots.back().velocity = 0.1;
+  const ClearanceReport of_moving = clearance_of(problem, moving);
+  EXPECT_TRUE(of_moving.collision_free) << "An arm that ends in motion is expected nowhere after the end.";
+  EXPECT_NEAR(of_moving.min_clearance, free, 1e-2);
+  problem.objects.assign(20, box_that_passes(end + 1.0));  // so many that boxes over time are asked first
+  EXPECT_FALSE(clearance_of(problem, trajectory).collision_free);
+  EXPECT_TRUE(clearance_of(problem, moving).collision_free);
+}
+
+TEST(ObjectClearance, BehindTheEndIsTheOneThatSamplesShow) {
+  Dice dice(5);
+  Problem problem = crossing_problem();
+  const Trajectory trajectory = parabolic_motion(problem, {0.0, 0.4});
+  const double end = trajectory[0].knots.back().time;
+  for (int scene = 0; scene < 20; ++scene) {
+    SCOPED_TRACE(scene);
+    problem.objects = {{"mover", box_of(0.2, 0.1, 0.3),
+                        MovingPlacement{PoseTrack({{end + 0.3, any_pose(dice, 2.0, 9.0)},
+                                                   {end + 0.9, any_pose(dice, 2.0 + dice.between(0.0, 2.0), 6.5)},
+                                                   {end + 2.0, any_pose(dice, 9.0, 9.0)}})}}};
+    expect_proof(problem, trajectory, "box that passes later", 400);
+  }
 }
 
 TEST(ObjectClearance, TracksWithTinyAndHugeSpansEnd) {
