@@ -24,7 +24,7 @@ constexpr double kFastestMotionShare = 0.5;
 
 class AnalyticPlanner {
  public:
-  AnalyticPlanner(const PreparedProblem& prepared, const Budget& budget, Findings& findings)
+  AnalyticPlanner(const PreparedProblem& prepared, const PlanningBudget& budget, Findings& findings)
       : prepared_(prepared), problem_(prepared.problem()), budget_(budget), findings_(findings) {}
 
   std::optional<Decision> decision() {
@@ -46,11 +46,12 @@ class AnalyticPlanner {
   std::optional<Decision> move_alone(int arm) {
     const Task& task = problem_.tasks[arm];
     const SingleJointArm& system = prepared_.system(arm);
-    auto motion = fastest_motion(system, task.start, task.goal, Swings::kSearch, budget_.part(kFastestMotionShare));
+    auto motion =
+        fastest_motion(system, task.start, task.goal, Swings::kSearch, budget_.methods.part(kFastestMotionShare));
     double& bound = findings_.bounds.fastest;
     if (const auto* blocked = std::get_if<Blocked>(&motion)) {
       const Infeasible refusal =
-          refuse_blocked(prepared_.arm(arm), task, system, prepared_.free_range(arm), *blocked, budget_);
+          refuse_blocked(prepared_.arm(arm), task, system, prepared_.free_range(arm), *blocked, budget_.methods);
       if (blocked->is_proven) return refusal;
       findings_.tried.push_back(refusal.explanation +
                                 (blocked->is_searched_out
@@ -127,7 +128,7 @@ class AnalyticPlanner {
   }
 
   StartChoice starts_of(const Profile& first, const Profile& second) const {
-    return choose_starts(problem_, prepared_.forbidden(), prepared_.clearance(), first, second, budget_);
+    return choose_starts(problem_, prepared_.forbidden(), prepared_.clearance(), first, second, budget_.methods);
   }
 
   /// Delays are the simplest motions through a passage.
@@ -142,14 +143,14 @@ class AnalyticPlanner {
     findings_.begin("passage");
     travellers_.emplace(Travellers{traveller(0), traveller(1)});
     const Problem planned = prepared_.within_free_ranges_at(prepared_.clearance());
-    passage_ = passage_bound(ForbiddenPlane(planned, prepared_.clearance()), *travellers_, budget_);
+    passage_ = passage_bound(ForbiddenPlane(planned, prepared_.clearance()), *travellers_, budget_.methods);
     findings_.bounds.planned = proof_of(passage_, planned);
     const double demanded = problem_.options.clearance;
     const Problem free = prepared_.within_free_ranges_at(demanded);
     is_parted_ = std::isinf(passage_.duration) &&
-                 std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget_).duration);
+                 std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget_.methods).duration);
     if (std::isfinite(passage_.duration)) {
-      findings_.bounds.demanded = passage_proof(free, demanded, passage_.duration, budget_, passage_.ways);
+      findings_.bounds.demanded = passage_proof(free, demanded, passage_.duration, budget_.methods, passage_.ways);
     }
   }
 
@@ -169,7 +170,7 @@ class AnalyticPlanner {
     std::optional<PassagePlan> best;
     for (const Way& way : passage_.ways) {
       auto found = passage_plan(prepared_.forbidden(), *travellers_, way, least, known,
-                                problem_.options.max_start_delay, budget_);
+                                problem_.options.max_start_delay, budget_.methods);
       if (!found || !gives_way_to_objects(*found, known)) continue;
       best = std::move(found);
       known = best->times.duration;
@@ -191,7 +192,7 @@ class AnalyticPlanner {
   std::optional<Plan> pass_extremally() {
     const auto extremal =
         extremal_plan(*travellers_, passage_.ways.front(), slower_duration(), problem_.options.max_start_delay);
-    if (!extremal || prepared_.has_moving_objects() || budget_.exhausted()) return std::nullopt;
+    if (!extremal || prepared_.has_moving_objects() || budget_.methods.exhausted()) return std::nullopt;
     const std::size_t tried = findings_.tried.size();
     if (auto found = verified(Method::kPassage, *extremal)) return found;
     findings_.tried.resize(tried);
@@ -201,12 +202,12 @@ class AnalyticPlanner {
   std::optional<Plan> verified(Method method, const PassagePlan& plan) {
     const Schedule schedule = {std::vector{TimedProfile{plan.times.first, plan.motions[0]}},
                                {TimedProfile{plan.times.second, plan.motions[1]}}};
-    return proven_plan(prepared_, method, plan.times.duration, schedule, budget_, findings_);
+    return proven_plan(prepared_, method, plan.times.duration, schedule, budget_.proof, findings_);
   }
 
   const PreparedProblem& prepared_;
   const Problem& problem_;
-  const Budget& budget_;
+  const PlanningBudget& budget_;
   Findings& findings_;
   std::vector<FastestMotion> fastest_;
   std::optional<Travellers> travellers_;
@@ -216,7 +217,8 @@ class AnalyticPlanner {
 
 }  // namespace
 
-std::optional<Decision> plan_analytically(const PreparedProblem& prepared, const Budget& budget, Findings& findings) {
+std::optional<Decision> plan_analytically(const PreparedProblem& prepared, const PlanningBudget& budget,
+                                          Findings& findings) {
   return AnalyticPlanner(prepared, budget, findings).decision();
 }
 

@@ -1,7 +1,7 @@
 #include "core/goal_visit.h"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
+#include <vector>
 
 #include "core/coordination/moving_objects.h"
 #include "core/wording.h"
@@ -10,14 +10,19 @@ namespace dualarm {
 
 std::optional<GoalVisit> last_goal_visit(const Problem& problem, double clearance) {
   std::optional<GoalVisit> last;
-  for (const TrackedBody& object : tracked_bodies(problem)) {
-    for (int arm = 0; arm < kArmCount; ++arm) {
-      const JointState& goal = problem.tasks[arm].goal;
-      if (goal.velocity != 0.0) continue;
-      for (const Body& body : moving_bodies(problem, arm)) {
-        const double until = last_meeting(goal.position, problem.arms[arm].base, body, object, clearance);
-        if (until > (last ? last->until : 0.0)) last = {arm, object.body.name, body.name, until};
-      }
+  for (int arm = 0; arm < kArmCount; ++arm) {
+    const JointState& goal = problem.tasks[arm].goal;
+    if (goal.velocity != 0.0) continue;
+    const std::vector<Body> bodies = moving_bodies(problem, arm);
+    const auto meets_until = [&](const std::vector<Body>& some, const TrackedBody& object) {
+      return last_meeting(goal.position, problem.arms[arm].base, some, object, clearance);
+    };
+    for (const TrackedBody& object : tracked_bodies(problem)) {
+      const double until = meets_until(bodies, object);
+      if (until <= (last ? last->until : 0.0)) continue;
+      const auto is_met_last = [&](const Body& body) { return meets_until({body}, object) >= until; };
+      const auto met = std::find_if(bodies.begin(), bodies.end(), is_met_last);
+      last = {arm, object.body.name, (met != bodies.end() ? *met : bodies.front()).name, until};
     }
   }
   return last;

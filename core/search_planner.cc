@@ -22,7 +22,7 @@ struct Incumbent {
 
 class SearchPlanner {
  public:
-  SearchPlanner(const PreparedProblem& prepared, const Budget& budget, Findings& findings)
+  SearchPlanner(const PreparedProblem& prepared, const PlanningBudget& budget, Findings& findings)
       : prepared_(prepared), budget_(budget), findings_(findings) {}
 
   std::optional<Plan> plan() {
@@ -30,7 +30,7 @@ class SearchPlanner {
     const SearchResult result = search();
     if (!result.schedule) return std::nullopt;
     incumbents_.push_back({*result.schedule, result.duration});
-    if (auto exact = with_exact_starts(prepared_, *result.schedule, result.duration, budget_)) {
+    if (auto exact = with_exact_starts(prepared_, *result.schedule, result.duration, budget_.methods)) {
       incumbents_.push_back({std::move(exact->schedule), exact->duration});
     }
     return best_proven();
@@ -49,7 +49,7 @@ class SearchPlanner {
     };
     const auto start = Budget::Clock::now();
     const Systems systems = {&prepared_.system(0), &prepared_.system(1)};
-    const SearchResult result = search_state_time(prepared_.problem(), systems, rules, budget_);
+    const SearchResult result = search_state_time(prepared_.problem(), systems, rules, budget_.methods);
     Statistics& statistics = findings_.statistics;
     statistics.fallback_seconds = std::chrono::duration<double>(Budget::Clock::now() - start).count();
     statistics.fallback_evaluation_count = result.evaluation_count;
@@ -78,11 +78,11 @@ class SearchPlanner {
   }
 
   std::optional<Plan> proven(const Incumbent& incumbent) {
-    return proven_plan(prepared_, Method::kStateTime, incumbent.duration, incumbent.schedule, budget_, findings_);
+    return proven_plan(prepared_, Method::kStateTime, incumbent.duration, incumbent.schedule, budget_.proof, findings_);
   }
 
   const PreparedProblem& prepared_;
-  const Budget& budget_;
+  const PlanningBudget& budget_;
   Findings& findings_;
   std::vector<Incumbent> incumbents_;  ///< each faster than the one before
 };
@@ -93,7 +93,7 @@ bool allows_search(const PlanOptions& options) {
   return options.allows(Method::kStateTime) && options.region_model == RegionModel::kExact;
 }
 
-std::optional<Plan> plan_by_search(const PreparedProblem& prepared, const Budget& budget, Findings& findings) {
+std::optional<Plan> plan_by_search(const PreparedProblem& prepared, const PlanningBudget& budget, Findings& findings) {
   return SearchPlanner(prepared, budget, findings).plan();
 }
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "core/coordination/advance.h"
 #include "core/coordination/projection.h"
+#include "core/coordination/ride.h"
 #include "geometry/chain.h"
 #include "geometry/clearance.h"
 #include "geometry/motion_bound.h"
@@ -15,50 +16,6 @@ namespace dualarm {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// A body on its way from one pose of its track to the next.
-class Ride final : public Wanderer {
- public:
-  Ride(const Shape& shape, const TimedPose& from, const PoseTrack::Segment& segment)
-      : shape_(&shape),
-        from_(from),
-        span_(segment.duration),
-        axis_(segment.axis),
-        rate_(segment.angle / span_),
-        screw_{from.pose.translation(), segment.way / span_, rate_ * (from.pose.linear() * axis_), extent(shape)} {}
-
-  /// As PoseTrack::pose_at, for times (s) of this stretch of the track.
-  Shape shape_at(double time) const override {
-    Eigen::Isometry3d pose = from_.pose;
-    pose.translation() += (time - from_.time) * screw_.velocity;
-    pose.linear() = pose.linear() * Eigen::AngleAxisd((time - from_.time) * rate_, axis_).toRotationMatrix();
-    return placed(*shape_, pose);
-  }
-  Screw screw_at(double time) const override {
-    Screw screw = screw_;
-    screw.origin += (time - from_.time) * screw_.velocity;
-    return screw;
-  }
-
-  Interval times() const { return {std::max(0.0, from_.time), from_.time + span_}; }
-
-  /// Least distance (m) seen along z of the body from a vertical axis: no part of it comes closer.
-  double distance_from(const Eigen::Vector2d& axis) const {
-    const Eigen::Vector2d start = from_.pose.translation().head<2>();
-    const Eigen::Vector2d way = span_ * screw_.velocity.head<2>();
-    const double length_squared = way.squaredNorm();
-    const double share = length_squared > 0.0 ? std::clamp((axis - start).dot(way) / length_squared, 0.0, 1.0) : 0.0;
-    return (start + share * way - axis).norm() - screw_.reach;
-  }
-
- private:
-  const Shape* shape_;
-  TimedPose from_;
-  double span_;  ///< s
-  Eigen::Vector3d axis_;
-  double rate_ = 0.0;  ///< rad/s
-  Screw screw_;        ///< at the first pose
-};
 
 /// A body that stands still during an interval of time (s).
 struct Stop {
@@ -99,10 +56,14 @@ class Traffic final : public Meetings {
       if (!times.empty() && away <= near) stops_.push_back({placed(object.body.shape, pose), times});
     };
     stop(poses.front().pose, {0.0, poses.front().time});
+    std::vector<Ride> rides;
     for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
       const Ride ride(object.body.shape, poses[i], object.track->segments()[i]);
-      if (!ride.times().empty() && ride.distance_from(axis) <= near) rides_.push_back(ride);
+      const Ball ball = ride.ball();
+      const bool is_near = (ball.middle.head<2>() - axis).norm() - ball.radius <= near;
+      if (!ride.times().empty() && is_near) rides.push_back(ride);
     }
+    if (!rides.empty()) rides_.emplace_back(std::move(rides));
     stop(poses.back().pose, {std::max(0.0, poses.back().time), kInfinity});
   }
 
@@ -115,10 +76,7 @@ class Traffic final : public Meetings {
       for (const Stop& stop : stops_) {
         if (is_closer(here, stop.shape, distance)) found.push_back(stop.times);
       }
-      for (const Ride& ride : rides_) {
-        const std::vector<Interval> of_ride = colliding_parameters(here, ride, distance, ride.times());
-        found.insert(found.end(), of_ride.begin(), of_ride.end());
-      }
+      for (const RideTree& rides : rides_) rides.add_meetings(here, distance, found);
     }
     return IntervalSet(std::move(found)).intervals();
   }
@@ -133,7 +91,7 @@ class Traffic final : public Meetings {
   double reach_ = 0.0;  ///< m, of all bodies of the arm
   std::vector<ArmBody> bodies_;
   std::vector<Stop> stops_;
-  std::vector<Ride> rides_;
+  std::vector<RideTree> rides_;  ///< one an object
 };
 
 }  // namespace
@@ -153,8 +111,9 @@ std::optional<IntervalSet> forbidden_starts(const Profile& motion, const Base& b
   return IntervalSet(std::move(starts));
 }
 
-double last_meeting(double position, const Base& base, const Body& body, const TrackedBody& object, double clearance) {
-  const std::vector<Interval> times = Traffic(base, {body}, {object}, clearance).times_at(position);
+double last_meeting(double position, const Base& base, const std::vector<Body>& bodies, const TrackedBody& object,
+                    double clearance) {
+  const std::vector<Interval> times = Traffic(base, bodies, {object}, clearance).times_at(position);
   return times.empty() ? -kInfinity : times.back().upper;
 }
 

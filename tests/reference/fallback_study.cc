@@ -1,5 +1,5 @@
-// How good the search in state-time space is when it is forced: `fallback_study optimal|retreat|tight|hard [count]`
-// prints a line a scene and a summary. docs/performance.md has its tables.
+// How good the search in state-time space is when it is forced: `fallback_study optimal|retreat|tight|moving|hard
+// [count]` prints a line a scene and a summary. docs/performance.md has its tables.
 
 #include <algorithm>
 #include <cstdio>
@@ -95,6 +95,25 @@ void retreat(bool is_tight, double known, int count) {
   summarise(is_tight ? "tight" : "retreat", count, ratios, seconds);
 }
 
+/// Arms of all drives that begin and end in motion.
+void moving(int count) {
+  std::vector<double> gaps, seconds;
+  int undecided = 0;
+  for (int seed = 0; seed < count; ++seed) {
+    const Problem drawn = seed % 2 == 0
+                              ? random_problem(seed)
+                              : random_problem(seed, kDriveModels[seed / 2 % kDriveModels.size()], seed % 4 == 1);
+    const Run forced = run(with_moving_ends(drawn, seed, 1.0), true, 2.0);
+    if (forced.duration > 0.0) gaps.push_back(1.0 + forced.gap);
+    if (forced.duration == 0.0 && forced.why.rfind("INFEASIBLE", 0) != 0) ++undecided;
+    seconds.push_back(forced.seconds);
+    std::printf("seed %3d %.4f gap %.4f %.3f s %d %s\n", seed, forced.duration, forced.gap, forced.seconds,
+                forced.evaluations, forced.why.c_str());
+  }
+  std::printf("%d undecided\n", undecided);
+  summarise("moving", count, gaps, seconds);
+}
+
 void hard(int each) {
   for (const HardKind kind : kHardKinds) {
     std::vector<double> ratios, seconds;
@@ -119,6 +138,7 @@ int main(int argc, char** argv) {
   if (what == "optimal") dualarm::optimal(count);
   if (what == "retreat") dualarm::retreat(false, 2.144247, count);
   if (what == "tight") dualarm::retreat(true, 1.2664, count);
+  if (what == "moving") dualarm::moving(count);
   if (what == "hard") dualarm::hard(count);
   return 0;
 }
