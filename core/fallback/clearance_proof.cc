@@ -188,8 +188,14 @@ double ClearanceProof::approach(const Pair& pair, const Instant& from, const Ins
   return way;
 }
 
-bool ClearanceProof::proves(const std::array<Track, kArmCount>& tracks, Interval time) const {
-  if (budget_->exhausted()) return false;
+bool ClearanceProof::collide_at(const std::array<Track, kArmCount>& tracks, double time) const {
+  const Instant now = instant({position_on(tracks[0], time), position_on(tracks[1], time)}, time);
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [&](const Pair& pair) { return far_slack(pair, now) <= 0.0 && slack(pair, now) <= 0.0; });
+}
+
+std::optional<double> ClearanceProof::where_unproven(const std::array<Track, kArmCount>& tracks, Interval time) const {
+  if (budget_->exhausted()) return time.lower;
   std::vector<Instant> instants;
   for (const double at : breakpoints(tracks, time)) {
     instants.push_back(instant({position_on(tracks[0], at), position_on(tracks[1], at)}, at));
@@ -207,7 +213,8 @@ bool ClearanceProof::proves(const std::array<Track, kArmCount>& tracks, Interval
       }
       const double slack_from = known ? *known : slack(pair, from);
       const double slack_to = slack(pair, to);
-      if (slack_from <= 0.0 || slack_to <= 0.0) return false;
+      if (slack_from <= 0.0) return from.time;
+      if (slack_to <= 0.0) return to.time;
       if (slack_from + slack_to <= way) open.push_back({&pair, from, to, slack_from, slack_to});
       known = slack_to;
     }
@@ -216,15 +223,16 @@ bool ClearanceProof::proves(const std::array<Track, kArmCount>& tracks, Interval
 }
 
 /// Width first: a collision somewhere is met before much has been proven elsewhere.
-bool ClearanceProof::halve(std::vector<Span>& open, const std::array<Track, kArmCount>& tracks, int looks) const {
+std::optional<double> ClearanceProof::halve(std::vector<Span>& open, const std::array<Track, kArmCount>& tracks,
+                                            int looks) const {
   for (std::vector<Span> halves; !open.empty(); open.swap(halves)) {
     halves.clear();
     for (const Span& span : open) {
       const double time = 0.5 * (span.from.time + span.to.time);
       const Instant middle = instant({position_on(tracks[0], time), position_on(tracks[1], time)}, time);
       const double slack_there = slack(*span.pair, middle);
-      if (slack_there <= 0.0 || ++looks > kLookLimit) return false;
-      if (looks % kLooksBetweenPolls == 0 && budget_->exhausted()) return false;
+      if (slack_there <= 0.0 || ++looks > kLookLimit) return time;
+      if (looks % kLooksBetweenPolls == 0 && budget_->exhausted()) return time;
       const auto keep = [&](const Instant& from, const Instant& to, double slack_from, double slack_to) {
         if (slack_from + slack_to > approach(*span.pair, from, to)) return;
         halves.push_back({span.pair, from, to, slack_from, slack_to});
@@ -233,7 +241,7 @@ bool ClearanceProof::halve(std::vector<Span>& open, const std::array<Track, kArm
       keep(middle, span.to, slack_there, span.slack_to);
     }
   }
-  return true;
+  return std::nullopt;
 }
 
 double ClearanceProof::free_from(int arm, double position) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <limits>
 
@@ -44,6 +46,7 @@ class Refinement {
   void keep_if_faster(Itinerary candidate);
   bool proven(Itinerary& candidate, int leader, double end);
   bool proven_as_is(Itinerary& candidate, double end);
+  bool proven_free(const Itinerary& candidate);
 
   const Systems& systems_;
   const ClearanceProof& proof_;
@@ -55,6 +58,8 @@ class Refinement {
   const Budget& budget_;
   int leader_ = 0;  ///< who began first in the last plan that was taken
   int evaluations_ = 0;
+  std::array<double, 4> collisions_ = {};  ///< s, of plans that were tried last: where the next one may collide, too
+  std::size_t next_collision_ = 0;
 };
 
 }  // namespace dualarm

@@ -49,6 +49,7 @@ std::optional<Profile> cut(const System& system, const Profile& motion, double t
     if (time - arc.start_time < kShortestArc || arc.end_time - time < kShortestArc) return std::nullopt;
     Arc part = arc;
     part.end = motion.at(time);
+    part.end.velocity = std::clamp(part.end.velocity, system.velocity().lower, system.velocity().upper);  // to rounding
     arcs.push_back(part);
     return Profile(system, std::move(arcs));
   }

@@ -222,6 +222,28 @@ TEST(ClearanceProof, MeetsAMovingObjectOnlyAtItsTime) {
   EXPECT_NEAR(proof.slack({upright, upright}), 8.0 - 0.1 - kClearance, 1e-4) << "rests are judged without it";
 }
 
+TEST(ClearanceProof, KnowsWhenAnObjectHasLeftAPlaceForGood) {
+  Problem problem = retreat_problem();
+  problem.objects = {passing_ball({-9.0, 5.0, 0.0}, {9.0, 5.0, 0.0}, {4.0, 5.0})};
+  const double upright = 90.0 * kDegree;
+  const ClearanceProof proof(problem, kClearance, kUnlimited);
+  // 18 m/s past an arm of 0.05 m with 0.3 m: it is at the arm at 4.5 s.
+  EXPECT_NEAR(proof.free_from(0, upright), 4.5 + (0.3 + 0.05 + kClearance) / 18.0, 1e-3);
+  EXPECT_EQ(proof.free_from(0, 0.0), -std::numeric_limits<double>::infinity());
+  problem.objects = {passing_ball({-9.0, 5.0, 0.0}, {0.0, 5.0, 0.0}, {4.0, 5.0})};
+  EXPECT_EQ(ClearanceProof(problem, kClearance, kUnlimited).free_from(0, upright),
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(ClearanceProof, ProvesNothingOnceTheBudgetIsUsedUp) {
+  const Problem problem = retreat_problem();
+  const ArmSystems arms(problem);
+  const ProfileTable standing(*steer(*arms.both()[0], 1.5, 1.5));
+  const Budget none({}, [] { return true; });
+  EXPECT_FALSE(
+      ClearanceProof(problem, kClearance, none).proves({Track{{0.0, &standing}}, Track{{0.0, &standing}}}, {0.0, 1.0}));
+}
+
 TEST(ClearanceProof, SettlesAtOnceWhereNothingMovesByItself) {
   EXPECT_EQ(ClearanceProof(retreat_problem(), kClearance, kUnlimited).settled_time(),
             -std::numeric_limits<double>::infinity());

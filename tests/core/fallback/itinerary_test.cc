@@ -83,6 +83,43 @@ TEST_F(ItineraryTest, DropsAndInsertsRests) {
   EXPECT_EQ(itinerary_.wait(0, 1), 0.0);
 }
 
+TEST_F(ItineraryTest, PassesAStateInMotionWithoutAWait) {
+  ASSERT_TRUE(itinerary_.move_via(0, 0, {0.9, 0.3}, Keep::kWait));
+  EXPECT_FALSE(itinerary_.may_wait(0, 1));
+  EXPECT_EQ(itinerary_.wait(0, 1), 0.0);
+  itinerary_.set_wait(0, 1, 0.5);
+  EXPECT_EQ(itinerary_.wait(0, 1), 0.0);
+  problem_.tasks = {Task{{0.2, 0.0}, {0.7, 0.0}}, Task{{1.0, 0.0}, {1.0, 0.0}}};
+  expect_consistent(problem_, itinerary_.schedule(), itinerary_.duration());
+}
+
+TEST_F(ItineraryTest, LetsAnArmInMotionAtItsGoalArriveAtTheEnd) {
+  Itinerary resting(arms_.both(), at_rest({0.2, 1.0}));
+  const JointState goal = {0.9, 0.5};
+  const auto motion = steer(*arms_.both()[0], {0.2, 0.0}, goal);
+  resting.append(0, 0.0, *motion, goal);
+  ASSERT_TRUE(resting.settle(4.0));
+  EXPECT_NEAR(resting.wait(0, 0), 4.0 - motion->duration(), 1e-12);
+  EXPECT_FALSE(resting.settle(3.0)) << "too late for that";
+
+  const JointState start = {0.2, 0.4};
+  Itinerary moving(arms_.both(), {start, JointState{1.0, 0.0}});
+  const auto quick = steer(*arms_.both()[0], start, goal);
+  moving.append(0, 0.0, *quick, goal);
+  ASSERT_TRUE(moving.settle(quick->duration() + 0.2));
+  EXPECT_NEAR(moving.duration(), quick->duration() + 0.2, 1e-12);
+  EXPECT_EQ(moving.leg_count(0), 2);
+}
+
+TEST_F(ItineraryTest, LetsAnArmArriveNoSoonerThanAnObjectHasLeft) {
+  Itinerary waiting(arms_.both(), at_rest({0.2, 1.0}), Arrivals{{3.0, 0.0}});
+  append_leg(waiting, arms_.both(), 0, 0.0, 0.2, 0.7);
+  ASSERT_TRUE(waiting.settle(3.0));
+  EXPECT_NEAR(waiting.duration(), 3.0, 1e-12);
+  Itinerary standing(arms_.both(), at_rest({0.2, 1.0}), Arrivals{{3.0, 0.0}});
+  EXPECT_FALSE(standing.settle(3.0)) << "an arm that stands in an object's way";
+}
+
 TEST_F(ItineraryTest, AlignsOneArmToTheBeginningAndTheOtherToTheEnd) {
   append_leg(itinerary_, arms_.both(), 1, 0.2, 1.0, 0.5);
   itinerary_.align(0, 5.0);

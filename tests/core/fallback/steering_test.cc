@@ -52,6 +52,48 @@ TEST(Steering, KnowsWhereNoMotionOfAnyKindExists) {
   EXPECT_TRUE(std::isinf(minimum_time(arms.both(), at_rest({0.1, 0.5}), at_rest({3.0, 0.5}))));
 }
 
+TEST(Steering, CutsAMotionAnywhereButBesideItsSwitches) {
+  const ArmSystems arms(retreat_problem());
+  const System& system = *arms.both()[0];
+  const Profile motion = steer(system, {0.3, 0.2}, {1.4, -0.3}).value();
+  const double turn = motion.arcs().front().end_time;
+  for (const double share : {0.1, 0.35, 0.6, 0.9}) {
+    const double time = share * motion.duration();
+    const auto part = cut(system, motion, time);
+    ASSERT_TRUE(part);
+    EXPECT_NEAR(part->duration(), time, 1e-11);
+    EXPECT_NEAR(part->goal(), motion.at(time).position, 1e-12);
+    EXPECT_NEAR(part->at(0.5 * time).position, motion.at(0.5 * time).position, 1e-10);
+  }
+  EXPECT_FALSE(cut(system, motion, turn - 1e-8));
+  EXPECT_FALSE(cut(system, motion, turn + 1e-8));
+  EXPECT_FALSE(cut(system, motion, 0.0));
+}
+
+TEST(Steering, StretchesAMotionToADurationBetweenItsFastestAndOneWithAStop) {
+  const ArmSystems arms(retreat_problem());
+  const System& system = *arms.both()[0];
+  const JointState from = {0.3, 0.4};
+  const JointState to = {1.4, 0.4};
+  const double fastest = steering_time(system, from, to);
+  for (const double longer : {0.0, 0.05, 0.3, 0.6}) {
+    const auto slow = stretched(system, from, to, fastest + longer);
+    ASSERT_TRUE(slow) << longer;
+    EXPECT_EQ(slow->size(), longer == 0.0 ? 1u : 2u);
+    double duration = 0.0;
+    JointState at = from;
+    for (const Profile& part : *slow) {
+      EXPECT_NEAR(part.start(), at.position, 1e-14);
+      at = part.goal_state();
+      duration += part.duration();
+    }
+    EXPECT_NEAR(duration, fastest + longer, 1e-12);
+    EXPECT_EQ(at, to);
+  }
+  EXPECT_FALSE(stretched(system, from, to, 0.9 * fastest));
+  EXPECT_FALSE(stretched(system, from, to, 100.0));
+}
+
 TEST(Steering, HoldsOnlyWhereTorqueSufficesAndInsideTheRange) {
   Problem problem = retreat_problem();
   problem.arms[0].torque = Interval{-25.0, 25.0};
