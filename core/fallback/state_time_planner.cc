@@ -23,6 +23,9 @@ namespace ob = ompl::base;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// How many times the evaluations that it may take to shorten plans a search may take to find one.
+constexpr int kPatience = 4;
+
 /// Trees that are grown from the start, each until it has a plan: their plans go different ways round. The parts of the
 /// evaluations that one of them, once there is a plan at all, and the shortening of what it found may take.
 constexpr int kTrees = 6;
@@ -74,12 +77,14 @@ class Search {
   }
 
   SearchResult run() {
-    for (int tree = 0; tree < kTrees && !is_done(); ++tree) {
+    for (int tree = 0; (tree < kTrees || !best_) && !is_done(); ++tree) {
+      const int before = result_.evaluation_count;
       auto found = grow(tree);
+      if (!found && result_.evaluation_count == before) break;  // nothing starts here
       if (!found) continue;
       shorten(std::move(*found), share(kFirstRefinementShare));
     }
-    if (best_ && !is_done()) shorten(*best_, rules_.evaluation_limit);
+    if (best_ && !is_done()) shorten(*best_, left());
     if (best_) {
       result_.schedule = best_->schedule();
       result_.duration = best_->duration();
@@ -90,7 +95,10 @@ class Search {
 
  private:
   int share(double part) const { return static_cast<int>(part * rules_.evaluation_limit); }
-  int left() const { return rules_.evaluation_limit - result_.evaluation_count; }
+  int left() const {
+    const int all = best_ ? found_after_ + rules_.evaluation_limit : kPatience * rules_.evaluation_limit;
+    return all - result_.evaluation_count;
+  }
   bool is_done() const { return left() <= 0 || budget_.exhausted() || (best_ && best_->duration() <= least_); }
 
   /// A tree from the start, and the plan that it finds.
@@ -111,7 +119,7 @@ class Search {
     definition->setOptimizationObjective(std::make_shared<ArrivalTime>(information));
 
     TreeLimits limits;
-    limits.evaluations = best_ ? std::min(left(), share(kTreeShare)) : left();
+    limits.evaluations = std::min(left(), best_ ? share(kTreeShare) : rules_.evaluation_limit);
     limits.nodes = std::max(1, static_cast<int>(rules_.memory_limit / TreePlanner::node_bytes(*information)));
     if (best_) limits.incumbent = kTolerated * best_->duration();
     limits.max_start_delay = problem_.options.max_start_delay;
@@ -151,7 +159,10 @@ class Search {
 
   /// Takes a plan that was found, or what becomes of it in some evaluations, if it is the best.
   void shorten(Itinerary plan, int evaluations) {
-    if (result_.first_duration == 0.0) result_.first_duration = plan.duration();
+    if (!best_) {
+      result_.first_duration = plan.duration();
+      found_after_ = result_.evaluation_count;
+    }
     const int before = result_.evaluation_count;
     Refinement refinement(systems_, proof_, std::move(plan), {least_, problem_.options.max_start_delay}, random_,
                           budget_);
@@ -188,6 +199,7 @@ class Search {
   double least_ = 0.0;  ///< s, that no plan is below
   Random random_;
   std::optional<Itinerary> best_;
+  int found_after_ = 0;  ///< evaluations, until there was a plan
   double told_ = kInfinity;
   SearchResult result_;
 };

@@ -44,10 +44,11 @@ struct SearchResult {
 /// Searches motions of both arms by trees in state-time space (OMPL), then shortens what they found. Theory, section 6.
 /// `systems` are the loaded arms' and have to outlive the schedule.
 ///
-/// Ends after about as many evaluations as the rules allow (a last improvement is finished); the same problem, seed and
-/// rules give the same schedule, whatever else runs. A budget that runs out before leaves the best found so far.
-/// No schedule: none found, nothing proven. Intermediate positions may lie in the paper's conservative set
-/// (RegionModel::kPaper): the search keeps bodies apart, not to that set.
+/// Ends after about as many evaluations as the rules allow once there is a plan, and four times as many if there is
+/// none (a last improvement is finished); the same problem, seed and rules give the same schedule, whatever else runs.
+/// A budget that runs out before leaves the best found so far. No schedule: none found, nothing proven. Intermediate
+/// positions may lie in the paper's conservative set (RegionModel::kPaper): the search keeps bodies apart, not to that
+/// set.
 SearchResult search_state_time(const Problem& problem, const Systems& systems, const SearchRules& rules,
                                const Budget& budget);
 

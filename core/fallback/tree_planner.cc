@@ -27,6 +27,9 @@ constexpr double kHoldShare = 0.15;
 /// How often an edge that ends when the first arm is there is tried before one on which both get there.
 constexpr double kCutShare = 0.3;
 
+/// How often a sample lies near a node.
+constexpr double kNearShare = 0.3;
+
 /// Relative gain in duration below which a better plan is not worth an edge.
 constexpr double kWorthwhileGain = 1e-6;
 
@@ -82,7 +85,7 @@ ob::PlannerStatus TreePlanner::solve(const ob::PlannerTerminationCondition& stop
   ob::State* sample = si_->allocState();
   while (!finished() && !stop()) {
     ++evaluations_;
-    sampler->sampleUniform(sample);
+    draw(*sampler, sample);
     if (proof().slack(positions_of(StateTimeSpace::states(sample))) <= 0.0) continue;
     if (const Node* node = extend_to(sample, sampler->random())) {
       shoot_at_goal(*node, std::max(0.0, si_->getStateSpace()->as<StateTimeSpace>()->worth_waiting_for(sample) -
@@ -92,6 +95,21 @@ ob::PlannerStatus TreePlanner::solve(const ob::PlannerTerminationCondition& stop
   }
   si_->freeState(sample);
   return is_solved_ ? ob::PlannerStatus::EXACT_SOLUTION : ob::PlannerStatus::TIMEOUT;
+}
+
+/// Anywhere, or near a node: where it is narrow, most ways to anywhere are blocked.
+void TreePlanner::draw(Sampler& sampler, ob::State* sample) const {
+  Random& random = sampler.random();
+  if (!random.chance(kNearShare)) return sampler.sampleUniform(sample);
+  const auto& node = nodes_[random.below(static_cast<int>(nodes_.size()))];
+  JointStates states = StateTimeSpace::states(node->state);
+  const auto* space = si_->getStateSpace()->as<StateTimeSpace>();
+  for (int arm = 0; arm < kArmCount; ++arm) {
+    const Interval range = space->systems()[arm]->range();
+    const double position = states[arm].position + random.step() * range.length();
+    states[arm] = {std::clamp(position, range.lower, range.upper), 0.0};
+  }
+  StateTimeSpace::set(sample, states, random.in({0.0, space->getMaximumExtent()}));
 }
 
 void TreePlanner::plant_root() {

@@ -11,6 +11,7 @@
 #include "core/fallback/clearance_proof.h"
 #include "core/fallback/edge.h"
 #include "core/fallback/random.h"
+#include "core/fallback/sampler.h"
 #include "core/fallback/steering.h"
 
 namespace dualarm {
@@ -59,6 +60,7 @@ class TreePlanner final : public ompl::base::Planner {
   using Neighbours = ompl::NearestNeighborsLinear<const Node*>;
 
   void plant_root();
+  void draw(Sampler& sampler, ompl::base::State* sample) const;
   const Node* extend_to(const ompl::base::State* sample, Random& random);
   const Node* try_edge(const Node& from, const Attempt& attempt, const JointPair& waits, double duration);
   const Node* grow(const Node& from, const JointStates& targets, double not_before, bool cuts_first);

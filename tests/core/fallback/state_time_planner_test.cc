@@ -136,7 +136,9 @@ TEST(SearchStateTime, LetsBothArmsWaitWhereBothAreBlocked) {
     EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
     EXPECT_GT(result.duration, 2.0);
     EXPECT_LT(result.duration, 2.0 + 1.5);
-    for (const auto& motions : *result.schedule) EXPECT_GT(motions.back().start_time, 0.5);
+    for (const auto& motions : *result.schedule) {
+      EXPECT_GT(motions.back().start_time + motions.back().profile.duration(), 2.0);
+    }
   }
 }
 
@@ -216,7 +218,7 @@ TEST(SearchStateTime, KeepsToItsMemoryAndSaysWhatItTook) {
   const SearchResult bounded = search_state_time(problem, arms.both(), rules, Budget());
   EXPECT_LE(bounded.memory, rules.memory_limit);
   EXPECT_GT(bounded.memory, rules.memory_limit / 2);
-  EXPECT_GE(bounded.evaluation_count, 4000);
+  EXPECT_GE(bounded.evaluation_count, 4 * 4000);
 }
 
 TEST(SearchStateTime, EndsAtTheLowerBoundItIsGiven) {
@@ -257,7 +259,7 @@ TEST(SearchStateTime, ArrivesForGoodOnlyWhenNothingPassesTheGoalAnyMore) {
   ASSERT_TRUE(result.schedule);
   expect_consistent(problem, *result.schedule, result.duration);
   EXPECT_GE(result.duration, left);
-  EXPECT_LT(result.duration, left + 0.3);
+  EXPECT_LT(result.duration, left + 0.6);
 }
 
 TEST(SearchStateTime, GivesTheSameScheduleForTheSameSeedAlsoSixteenAtOnce) {
@@ -325,7 +327,7 @@ TEST(SearchStateTime, FindsNothingWhereTheGoalIsBlocked) {
   const SearchResult result = search(problem, ArmSystems(problem), 1000);
   EXPECT_FALSE(result.schedule);
   EXPECT_FALSE(result.budget_ran_out);
-  EXPECT_NEAR(result.evaluation_count, 1000, 600);
+  EXPECT_NEAR(result.evaluation_count, 4000, 600);
 }
 
 TEST(SearchStateTime, FindsNothingWhereTheStartIsBlocked) {
