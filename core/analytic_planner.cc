@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "core/certify.h"
-#include "core/goal_visit.h"
+#include "core/object_visit.h"
 #include "core/passage/passage_plan.h"
 #include "core/passage/proof.h"
+#include "core/passage/traffic_proof.h"
 #include "core/phase_plane/time_optimal.h"
 #include "core/proven_plan.h"
 #include "core/refusal.h"
@@ -21,6 +22,9 @@ namespace {
 
 /// Part of the time left that the search for an arm's fastest motion may take: what is found has to be put together.
 constexpr double kFastestMotionShare = 0.5;
+/// s. How long plans may be for bounds to be sought where no plan is known: how far an arm gets in so long a time is
+/// limited by its joint range.
+constexpr double kMostWaiting = 1e4;
 
 class AnalyticPlanner {
  public:
@@ -77,8 +81,25 @@ class AnalyticPlanner {
     if (!planned) return std::nullopt;
     if (std::isinf(planned->until)) return refuse_goal_visit(problem_, *planned, prepared_.margin());
     findings_.bounds.planned_visit = planned->until;
-    findings_.bounds.visit = last_goal_visit(problem_, problem_.options.clearance);
+    if (const auto visit = last_goal_visit(problem_, problem_.options.clearance)) {
+      findings_.bounds.visit = VisitBound{visit->until, *visit};
+    }
     return std::nullopt;
+  }
+
+  /// Moving objects may be in an arm's way. `known` (s) is the duration of a plan, infinite where there is none.
+  void bound_by_traffic(double known) {
+    KnownBounds& bounds = findings_.bounds;
+    if (!prepared_.has_moving_objects() || known <= std::max(bounds.of_every_plan(), bounds.planned_visit)) return;
+    const double longest = std::min(known, kMostWaiting);
+    const auto proof = [&](double clearance, double floor) {
+      return traffic_proof(problem_, clearance, floor, longest, budget_.methods);
+    };
+    const double demanded = problem_.options.clearance;
+    if (const auto found = proof(demanded, bounds.of_every_plan())) {
+      bounds.visit = {found->duration, visit_until(problem_, found->arm, found->position, demanded, found->until)};
+    }
+    if (const auto found = proof(prepared_.clearance(), bounds.planned_visit)) bounds.planned_visit = found->duration;
   }
 
   void bound_by_monotone_motions() {
@@ -98,6 +119,7 @@ class AnalyticPlanner {
     findings_.safe_delays = choice.safe_delays;
     if (!choice.times) findings_.tried.push_back(choice.why_not);
     const double known = choice.times ? choice.times->duration : std::numeric_limits<double>::infinity();
+    bound_by_traffic(known);
     const double longest = std::max(slower_duration(), findings_.bounds.planned_visit);
     if (known > longest * (1.0 + kAtBound)) bound_by_passage();
     if (is_parted_) return refuse_parted(problem_);

@@ -25,7 +25,7 @@ std::size_t middle_of(std::size_t begin, std::size_t end) { return begin + (end 
 }  // namespace
 
 Ride::Ride(const Shape& shape, const TimedPose& from, const PoseTrack::Segment& segment)
-    : shape_(&shape),
+    : shape_(shape),
       from_(from),
       span_(segment.duration),
       axis_(segment.axis),
@@ -36,7 +36,7 @@ Shape Ride::shape_at(double time) const {
   Eigen::Isometry3d pose = from_.pose;
   pose.translation() += (time - from_.time) * screw_.velocity;
   pose.linear() = pose.linear() * Eigen::AngleAxisd((time - from_.time) * rate_, axis_).toRotationMatrix();
-  return placed(*shape_, pose);
+  return placed(shape_, pose);
 }
 
 Screw Ride::screw_at(double time) const {

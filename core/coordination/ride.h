@@ -13,7 +13,7 @@ struct Ball {
   double radius = 0.0;                               ///< m
 };
 
-/// A body on its way from one pose of its track to the next. The shape outlives it.
+/// A body on its way from one pose of its track to the next.
 class Ride final : public Wanderer {
  public:
   Ride(const Shape& shape, const TimedPose& from, const PoseTrack::Segment& segment);
@@ -26,7 +26,7 @@ class Ride final : public Wanderer {
   Ball ball() const;
 
  private:
-  const Shape* shape_;
+  Shape shape_;
   TimedPose from_;
   double span_;  ///< s
   Eigen::Vector3d axis_;
