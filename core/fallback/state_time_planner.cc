@@ -96,8 +96,9 @@ class Search {
  private:
   int share(double part) const { return static_cast<int>(part * rules_.evaluation_limit); }
   int left() const {
-    const int all = best_ ? found_after_ + rules_.evaluation_limit : kPatience * rules_.evaluation_limit;
-    return all - result_.evaluation_count;
+    const std::int64_t limit = rules_.evaluation_limit;
+    const std::int64_t all = best_ ? found_after_ + limit : kPatience * limit;
+    return static_cast<int>(std::min<std::int64_t>(all - result_.evaluation_count, std::numeric_limits<int>::max()));
   }
   bool is_done() const { return left() <= 0 || budget_.exhausted() || (best_ && best_->duration() <= least_); }
 
