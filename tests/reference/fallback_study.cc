@@ -1,14 +1,19 @@
-// How good the search in state-time space is when it is forced: `fallback_study optimal|retreat|tight|moving|hard
+// How good the search in state-time space is when it is forced: `fallback_study optimal|retreat|tight|moving|stop|hard
 // [count]` prints a line a scene and a summary. docs/performance.md has its tables.
 
+#include <time.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "core/fallback/state_time_planner.h"
 #include "core/planner.h"
+#include "core/systems/single_joint_arm.h"
 #include "tests/reference/hard_scenes.h"
 #include "tests/support/independent_check.h"
 #include "tests/support/problems.h"
@@ -66,7 +71,7 @@ void optimal(int wanted) {
     const Problem problem = random_problem(seed);
     const Outcome best = plan(problem, Budget());
     const auto* found = std::get_if<Plan>(&best.answer);
-    if (found == nullptr || found->certificate.claim != Claim::kOptimal) continue;
+    if (found == nullptr || found->certificate.claim != Claim::kOptimal || found->duration == 0.0) continue;
     ++count;
     const Run forced = run(problem, true, 1.0);
     if (forced.duration > 0.0) ratios.push_back(forced.duration / found->duration);
@@ -114,6 +119,34 @@ void moving(int count) {
   summarise("moving", count, gaps, seconds);
 }
 
+/// s, of this thread: what else runs on the machine does not count.
+double processor_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// How much longer a search computes after it was cancelled, milliseconds: at times from 2 to 400 ms.
+void stop(int each) {
+  std::vector<double> late;
+  for (const HardKind kind : kHardKinds) {
+    const HardScene scene = hard_scene(kind, 0);
+    const SingleJointArm first(loaded_arm(scene.problem, 0));
+    const SingleJointArm second(loaded_arm(scene.problem, 1));
+    SearchRules rules;
+    rules.clearance = 1e-4;
+    for (int i = 0; i < each; ++i) {
+      const double seconds = 2e-3 * std::pow(200.0, i / static_cast<double>(each));
+      const double end = processor_seconds() + seconds;
+      const Budget budget(Budget::Clock::time_point::max(), [end] { return processor_seconds() >= end; });
+      search_state_time(scene.problem, {&first, &second}, rules, budget);
+      if (processor_seconds() >= end) late.push_back(1e3 * (processor_seconds() - end));
+    }
+  }
+  std::printf("stopped %zu searches: late by, ms: median %.3f, 95 %% %.3f, worst %.3f\n", late.size(),
+              quantile(late, 0.5), quantile(late, 0.95), quantile(late, 1.0));
+}
+
 void hard(int each) {
   for (const HardKind kind : kHardKinds) {
     std::vector<double> ratios, seconds;
@@ -139,6 +172,7 @@ int main(int argc, char** argv) {
   if (what == "retreat") dualarm::retreat(false, 2.144247, count);
   if (what == "tight") dualarm::retreat(true, 1.2664, count);
   if (what == "moving") dualarm::moving(count);
+  if (what == "stop") dualarm::stop(count);
   if (what == "hard") dualarm::hard(count);
   return 0;
 }
