@@ -48,6 +48,9 @@ class Findings {
   /// Tells the observer of a verified plan.
   void found(const Plan& plan) const;
 
+  /// Whether somebody wants to know plans before the last one.
+  bool are_plans_awaited() const { return static_cast<bool>(observer_.on_incumbent); }
+
   /// Of the planning run as it stands.
   PlanningStatus status() const;
   Undecided undecided(double seconds_spent) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -107,6 +108,8 @@ struct Statistics {
   double verification_seconds = 0.0;
   int distance_query_count = 0;
   int fallback_evaluation_count = 0;
+  int fallback_node_count = 0;            ///< of the search's largest tree
+  std::size_t fallback_memory_bytes = 0;  ///< that its nodes took
 };
 
 struct Outcome {
