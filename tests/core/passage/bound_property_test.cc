@@ -39,8 +39,8 @@ TEST(PassageProof, IsNeverBeatenByPlansOfTheStateTimeSearch) {
     const PassageProof proof = passage_proof(problem, problem.options.clearance, 60.0, Budget());
     const double longer = std::max(scene.travellers[0].fastest.duration(), scene.travellers[1].fastest.duration());
     if (proof.duration <= longer * (1.0 + 1e-9) || !std::isfinite(proof.duration)) continue;
-    const SearchResult result = search_state_time(problem, {&scene.systems[0], &scene.systems[1]},
-                                                  problem.options.clearance + kMargin, 0.0, kEvaluations, Budget());
+    const SearchRules rules = {.clearance = problem.options.clearance + kMargin, .evaluation_limit = kEvaluations};
+    const SearchResult result = search_state_time(problem, {&scene.systems[0], &scene.systems[1]}, rules, Budget());
     if (!result.schedule) continue;
     ++compared;
     EXPECT_GE(result.duration, proof.duration);
