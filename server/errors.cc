@@ -23,6 +23,12 @@ google::rpc::ErrorInfo error_info(std::string_view reason) {
   return info;
 }
 
+google::rpc::RetryInfo retry_info() {
+  google::rpc::RetryInfo retry;
+  *retry.mutable_retry_delay() = google::protobuf::util::TimeUtil::MillisecondsToDuration(kRetryDelay.count());
+  return retry;
+}
+
 // `summary` is what the details repeat of the message.
 template <typename... Details>
 grpc::Status status(grpc::StatusCode code, const std::string& message, const std::string& summary,
@@ -88,12 +94,24 @@ grpc::Status malformed_request(std::string_view type) {
   return status(grpc::StatusCode::INVALID_ARGUMENT, message, message, error_info("MALFORMED_REQUEST"));
 }
 
+grpc::Status too_many_calls(int most_calls) {
+  google::rpc::ErrorInfo info = error_info("TOO_MANY_CALLS");
+  (*info.mutable_metadata())["most_calls"] = std::to_string(most_calls);
+  const std::string message = fmt::format(
+      "this token has {} calls at once, and no more are allowed: try again in {} ms", most_calls, kRetryDelay.count());
+  return status(grpc::StatusCode::RESOURCE_EXHAUSTED, message, message, retry_info(), info);
+}
+
+grpc::Status unauthenticated(std::string_view reason) {
+  const std::string message =
+      "this server asks for a token: send the metadata 'authorization: Bearer TOKEN' with one that it knows";
+  return status(grpc::StatusCode::UNAUTHENTICATED, message, message, error_info(reason));
+}
+
 grpc::Status overloaded() {
-  google::rpc::RetryInfo retry;
-  *retry.mutable_retry_delay() = google::protobuf::util::TimeUtil::MillisecondsToDuration(kRetryDelay.count());
   const std::string message =
       fmt::format("all workers are busy and the queue is full: try again in {} ms", kRetryDelay.count());
-  return status(grpc::StatusCode::RESOURCE_EXHAUSTED, message, message, retry, error_info("QUEUE_FULL"));
+  return status(grpc::StatusCode::RESOURCE_EXHAUSTED, message, message, retry_info(), error_info("QUEUE_FULL"));
 }
 
 grpc::Status not_served(std::string_view rpc, std::string_view instead) {

@@ -23,6 +23,12 @@ grpc::Status malformed_request(std::string_view type);
 /// RESOURCE_EXHAUSTED: a RetryInfo.
 grpc::Status overloaded();
 
+/// RESOURCE_EXHAUSTED: a RetryInfo. The caller's token has this many calls at once already.
+grpc::Status too_many_calls(int most_calls);
+
+/// UNAUTHENTICATED: no token, or none that the server knows (ErrorInfo TOKEN_MISSING, TOKEN_UNKNOWN).
+grpc::Status unauthenticated(std::string_view reason);
+
 /// UNIMPLEMENTED: `instead` says what serves the purpose.
 grpc::Status not_served(std::string_view rpc, std::string_view instead);
 

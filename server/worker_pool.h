@@ -29,11 +29,14 @@ class WorkerPool {
   /// not throw.
   [[nodiscard]] bool try_submit(Task task);
 
+  /// Tasks that wait for a thread.
+  std::size_t waiting() const;
+
  private:
   void work();
 
   const std::size_t most_tasks_;  // running and queued
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Task> queue_;
   std::size_t running_ = 0;

@@ -14,8 +14,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The names that reflection lists, asked for and answered in protobuf's own bytes: list_services = 7 of the request.
-std::string reflected_services(const std::shared_ptr<grpc::Channel>& channel) {
+// What reflection answers to a request, both in protobuf's own bytes; "" where it does not.
+std::string reflected(const std::shared_ptr<grpc::Channel>& channel, const std::string& request) {
   grpc::GenericStub stub(channel);
   grpc::ClientContext context;
   grpc::CompletionQueue queue;
@@ -25,7 +25,7 @@ std::string reflected_services(const std::shared_ptr<grpc::Channel>& channel) {
   bool ok = false;
   const auto step = [&] { return queue.Next(&tag, &ok) && ok; };
   call->StartCall(nullptr);
-  const grpc::Slice ask("\x3a\x01*");
+  const grpc::Slice ask(request);
   grpc::ByteBuffer answer;
   if (!step()) return "";
   call->Write(grpc::ByteBuffer(&ask, 1), nullptr);
@@ -49,7 +49,18 @@ TEST(PlanningServer, ReportsHealthForTheServerAndPerService) {
 
 TEST(PlanningServer, ReflectsItsService) {
   const TestServer server;
-  EXPECT_THAT(reflected_services(server.channel()), HasSubstr("dualarm.planning.v1.PlanningService"));
+  const std::string services = reflected(server.channel(), "\x3a\x01*");  // list_services = 7
+  EXPECT_THAT(services, HasSubstr("dualarm.planning.v1.PlanningService"));
+  EXPECT_THAT(services, HasSubstr("grpc.health.v1.Health"));
+}
+
+TEST(PlanningServer, ReflectsWhatItsServicesSay) {
+  const TestServer server;
+  const auto file_of = [&](const std::string& symbol) {  // file_containing_symbol = 4
+    return reflected(server.channel(), std::string("\x22") + static_cast<char>(symbol.size()) + symbol);
+  };
+  EXPECT_THAT(file_of("dualarm.planning.v1.PlanningService"), HasSubstr("PlanMotionRequest"));
+  EXPECT_THAT(file_of("grpc.health.v1.Health"), HasSubstr("HealthCheckResponse"));
 }
 
 TEST(PlanningServer, RefusesAHundredMegabytesAndGoesOn) {
