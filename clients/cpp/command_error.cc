@@ -11,6 +11,7 @@ ExitStatus exit_status_of(grpc::StatusCode code) {
   switch (code) {
     case grpc::StatusCode::INVALID_ARGUMENT:
     case grpc::StatusCode::UNIMPLEMENTED:
+    case grpc::StatusCode::UNAUTHENTICATED:
       return ExitStatus::kInvalid;
     case grpc::StatusCode::DEADLINE_EXCEEDED:
       return ExitStatus::kUndecided;

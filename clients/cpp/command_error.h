@@ -11,7 +11,7 @@ namespace dualarm {
 enum class ExitStatus : int {
   kDone = 0,          ///< a plan, a motion, a verified motion, a healthy server
   kFailure = 1,       ///< anything without a number of its own, such as a file that cannot be written
-  kInvalid = 2,       ///< usage, a file that is not a request, a request that the server refuses
+  kInvalid = 2,       ///< usage, a file that is not a request, a request or a token that the server refuses
   kNegative = 3,      ///< plan, portrait: infeasible; verify: a demand is broken
   kUndecided = 4,     ///< neither was reached in time
   kUnreachable = 5,   ///< no server answers, or it cannot take the work now

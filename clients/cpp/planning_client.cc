@@ -1,9 +1,7 @@
 #include "clients/cpp/planning_client.h"
 
 #include <google/protobuf/wrappers.pb.h>
-#include <grpcpp/create_channel.h>
 #include <grpcpp/generic/generic_stub.h>
-#include <grpcpp/security/credentials.h>
 
 #include <chrono>
 #include <future>
@@ -11,22 +9,14 @@
 #include <utility>
 
 #include "clients/cpp/command_error.h"
+#include "clients/cpp/secure_channel.h"
 
 namespace dualarm {
 namespace {
 
 using namespace planning::v1;
 
-constexpr int kConnectTimeoutMilliseconds = 5000;
 constexpr auto kStartTimeout = std::chrono::seconds(5);  // from the first connection to SERVING
-
-std::shared_ptr<grpc::Channel> open_channel(const std::string& address) {
-  grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kConnectTimeoutMilliseconds);
-  arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);  // the address given is the address meant
-  arguments.SetMaxReceiveMessageSize(-1);           // a plan of any length is welcome
-  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
-}
 
 }  // namespace
 
@@ -36,7 +26,8 @@ PlanningClient::PlanningClient(const ConnectionOptions& options, std::stop_token
     local_server_.emplace(stop_);
     server_name_ = "the private dualarm-server";
   }
-  channel_ = open_channel(local_server_ ? local_server_->address() : options.server);
+  token_ = token_for(options);
+  channel_ = open_channel(local_server_ ? local_server_->address() : options.server, options);
   stub_ = PlanningService::NewStub(channel_);
   if (local_server_) wait_until_serving();
 }
@@ -56,6 +47,7 @@ void PlanningClient::wait_until_serving() const {
 template <typename Response, typename Send>
 Response PlanningClient::call(Send send) const {
   grpc::ClientContext context;
+  if (!token_.empty()) context.AddMetadata("authorization", "Bearer " + token_);
   context.set_deadline(std::chrono::system_clock::now() +
                        std::chrono::microseconds(static_cast<std::int64_t>(1e6 * timeout_s_)));
   const std::stop_callback cancel(stop_, [&context] { context.TryCancel(); });

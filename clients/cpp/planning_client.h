@@ -42,6 +42,7 @@ class PlanningClient {
   std::optional<LocalServer> local_server_;
   std::string server_name_;
   double timeout_s_;
+  std::string token_;  // "" for none
   std::stop_token stop_;
   std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<planning::v1::PlanningService::Stub> stub_;
