@@ -7,12 +7,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "core/arm_portrait.h"
-#include "core/coordination/region.h"
-#include "core/planner.h"
-#include "core/verification/verify.h"
 #include "server/logs.h"
 #include "server/options.h"
+#include "server/planning_functions.h"
 #include "server/planning_server.h"
 
 namespace {
@@ -37,9 +34,7 @@ void write_port(const std::string& path, int port) {
 }
 
 void serve(const ServerOptions& options, const sigset_t& stop_signals) {
-  dualarm::PlanningServer server(
-      options, {[](const auto& problem, const auto& budget) { return dualarm::plan(problem, budget); }, dualarm::verify,
-                dualarm::forbidden_region, dualarm::arm_portrait});
+  dualarm::PlanningServer server(options, dualarm::core_functions());
   write_port(options.port_file, server.port());
   spdlog::info("dualarm-server " DUALARM_VERSION " listening on {}", server.address());
   int signal = 0;

@@ -19,6 +19,10 @@ std::chrono::nanoseconds nanoseconds(double seconds) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
 }
 
+ServiceLimits limits_of(const ServerOptions& options) {
+  return {nanoseconds(options.planning_budget), options.max_streams, options.batch_in_flight};
+}
+
 void check_address(const ServerOptions& options) {
   const std::string complaint = complaint_about_address(options.listen);
   if (!complaint.empty()) throw std::runtime_error(complaint);
@@ -36,8 +40,7 @@ void check_address(const ServerOptions& options) {
 }  // namespace
 
 PlanningServer::PlanningServer(const ServerOptions& options, PlanningFunctions functions)
-    : pool_(options.worker_threads, options.queue_capacity),
-      service_(std::move(functions), pool_, nanoseconds(options.planning_budget)) {
+    : pools_(options), service_(std::move(functions), pools_, limits_of(options)) {
   check_address(options);
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();

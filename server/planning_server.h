@@ -8,7 +8,7 @@
 
 #include "server/options.h"
 #include "server/planning_service.h"
-#include "server/worker_pool.h"
+#include "server/worker_pools.h"
 
 namespace dualarm {
 
@@ -35,7 +35,7 @@ class PlanningServer {
   void drain(std::chrono::nanoseconds patience);
 
  private:
-  WorkerPool pool_;  // before the service and the server: calls run on it until the server has shut down
+  WorkerPools pools_;  // before the service and the server: calls run on them until the server has shut down
   PlanningService service_;
   int port_ = 0;
   std::string address_;
