@@ -1,6 +1,7 @@
 #include "server/planning_server.h"
 
 #include <fmt/format.h>
+#include <grpc/grpc.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/server_builder.h>
@@ -23,6 +24,13 @@ ServiceLimits limits_of(const ServerOptions& options) {
   return {nanoseconds(options.planning_budget), options.max_streams, options.batch_in_flight};
 }
 
+// gRPC stays up until the process ends. When its last object goes, version 1.51 waits for a poller that may be asleep
+// for 10 s.
+void keep_grpc_up() {
+  static const bool kIsUp = (grpc_init(), true);
+  (void)kIsUp;
+}
+
 void check_address(const ServerOptions& options) {
   const std::string complaint = complaint_about_address(options.listen);
   if (!complaint.empty()) throw std::runtime_error(complaint);
@@ -42,6 +50,7 @@ void check_address(const ServerOptions& options) {
 PlanningServer::PlanningServer(const ServerOptions& options, PlanningFunctions functions)
     : pools_(options), service_(std::move(functions), pools_, limits_of(options)) {
   check_address(options);
+  keep_grpc_up();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   grpc::ServerBuilder builder;

@@ -14,6 +14,8 @@ struct ConnectionOptions {
   double timeout_s = 60.0;  ///< for one call
 };
 
-void add_connection_options(CLI::App& command, ConnectionOptions& options);
+/// `timeout`: what --timeout is said to mean.
+void add_connection_options(CLI::App& command, ConnectionOptions& options,
+                            const std::string& timeout = "seconds to wait for one answer");
 
 }  // namespace dualarm

@@ -157,6 +157,7 @@ TEST(Overload, CallersWhoLeaveTheQueueAreNotPlannedFor) {
   context.set_deadline(std::chrono::system_clock::now() + std::chrono::milliseconds(50));
   wire::PlanMotionResponse response;
   EXPECT_EQ(server.stub()->PlanMotion(&context, paper_request(), &response).error_code(), Code::DEADLINE_EXCEEDED);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // in which the server hears of it, too
   release.set_value();
   EXPECT_TRUE(verifying.get().ok());
   EXPECT_TRUE(plan_motion(server, paper_request()).ok());
