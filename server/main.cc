@@ -11,14 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "core/arm_portrait.h"
-#include "core/coordination/region.h"
-#include "core/planner.h"
-#include "core/verification/verify.h"
 #include "server/build_information.h"
 #include "server/configuration_check.h"
 #include "server/logs.h"
 #include "server/options.h"
+#include "server/planning_functions.h"
 #include "server/planning_server.h"
 
 namespace {
@@ -66,9 +63,7 @@ void give_notice(dualarm::PlanningServer& server, double seconds) {
 }
 
 void serve(const ServerOptions& options) {
-  dualarm::PlanningServer server(
-      options, {[](const auto& problem, const auto& budget) { return dualarm::plan(problem, budget); }, dualarm::verify,
-                dualarm::forbidden_region, dualarm::arm_portrait});
+  dualarm::PlanningServer server(options, dualarm::core_functions());
   write_port(options.port_file, server.port());
   spdlog::info("{}", dualarm::version_line());
   if (!server.metrics_address().empty()) spdlog::info("metrics on http://{}/metrics", server.metrics_address());

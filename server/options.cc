@@ -26,13 +26,29 @@ void add_options(CLI::App& app, ServerOptions& options) {
   app.add_option("--max-message-mib", options.max_message_mib, "Largest request in MiB")
       ->envname("DUALARM_MAX_MESSAGE_MIB")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--worker-threads", options.worker_threads, "Computations at once")
+  app.add_option("--worker-threads", options.worker_threads, "Quick computations at once")
       ->envname("DUALARM_WORKER_THREADS")
       ->check(CLI::Range(1, 1024));
   app.add_option("--queue-capacity", options.queue_capacity, "Requests that may wait for a worker")
       ->envname("DUALARM_QUEUE_CAPACITY")
       ->check(CLI::Range(0, 1'000'000));
-  app.add_option("--planning-budget", options.planning_budget, "Longest computation of one call in seconds")
+  app.add_option("--search-threads", options.search_threads, "Searches at once")
+      ->envname("DUALARM_SEARCH_THREADS")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--search-queue", options.search_queue, "Requests that may wait for a search")
+      ->envname("DUALARM_SEARCH_QUEUE")
+      ->check(CLI::Range(0, 1'000'000));
+  app.add_option("--niceness", options.niceness,
+                 "How far threads that search or draw stand back behind quick ones: 0 not at all")
+      ->envname("DUALARM_NICENESS")
+      ->check(CLI::Range(0, 19));
+  app.add_option("--max-streams", options.max_streams, "Calls of PlanMotionStream and PlanMotionBatch at once")
+      ->envname("DUALARM_MAX_STREAMS")
+      ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--batch-in-flight", options.batch_in_flight, "Requests of one batch that are read and not answered")
+      ->envname("DUALARM_BATCH_IN_FLIGHT")
+      ->check(CLI::Range(1, 10'000));
+  app.add_option("--planning-budget", options.planning_budget, "Longest computation of one request in seconds")
       ->envname("DUALARM_PLANNING_BUDGET")
       ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--drain-seconds", options.drain_seconds,
@@ -187,6 +203,7 @@ std::string options_table() {
 std::variant<ServerOptions, ExitStatus> read_options(int argc, const char* const* argv) {
   ServerOptions options;
   options.worker_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  options.search_threads = options.worker_threads;
   CLI::App app("Plans time-optimal, verified motions of two arms over gRPC", "dualarm-server");
   add_all(app, options);
   try {

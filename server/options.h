@@ -13,9 +13,14 @@ struct ServerOptions {
   std::string port_file;                   ///< where to write the bound port; empty: nowhere
   bool allow_insecure_remote = false;      ///< plaintext beyond loopback and unix sockets
   int max_message_mib = 4;                 ///< largest request, MiB
-  int worker_threads = 1;                  ///< computations at once
-  int queue_capacity = 64;                 ///< requests that may wait for a worker
-  double planning_budget = 10.0;           ///< s, longest computation of one call
+  int worker_threads = 1;                  ///< quick computations at once
+  int queue_capacity = 1000;               ///< requests that may wait for a worker
+  int search_threads = 1;                  ///< searches at once
+  int search_queue = 64;                   ///< requests that may wait for a search
+  int niceness = 19;                       ///< of threads that search or draw, 0 to 19
+  int max_streams = 2000;                  ///< calls of PlanMotionStream and PlanMotionBatch at once
+  int batch_in_flight = 64;                ///< requests of one batch that are read and not answered
+  double planning_budget = 10.0;           ///< s, longest computation of one request
   double drain_seconds = 10.0;             ///< s, that running calls get to finish after SIGTERM or SIGINT
   double drain_notice = 0.0;               ///< s, that it still serves while health says NOT_SERVING, before it drains
   std::string log_level = "info";

@@ -1,6 +1,7 @@
 #include "server/planning_server.h"
 
 #include <fmt/format.h>
+#include <grpc/grpc.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/server_builder.h>
@@ -26,6 +27,17 @@ std::chrono::nanoseconds nanoseconds(double seconds) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
 }
 
+ServiceLimits limits_of(const ServerOptions& options) {
+  return {nanoseconds(options.planning_budget), options.max_streams, options.batch_in_flight};
+}
+
+// gRPC stays up until the process ends. When its last object goes, version 1.51 waits for a poller that may be asleep
+// for 10 s.
+void keep_grpc_up() {
+  static const bool kIsUp = (grpc_init(), true);
+  (void)kIsUp;
+}
+
 void check(const ServerOptions& options) {
   const std::vector<std::string> complaints = complaints_about(options);
   if (!complaints.empty()) throw std::runtime_error(fmt::format("{}", fmt::join(complaints, "; ")));
@@ -48,9 +60,13 @@ const ServerOptions& checked(const ServerOptions& options) {
   return options;
 }
 
-void watch(Metrics& metrics, const WorkerPool& pool) {
-  metrics.watch("dualarm_pool_waiting", "Tasks that wait for a thread", {{"pool", "all"}},
-                [&pool] { return static_cast<double>(pool.waiting()); });
+void watch(Metrics& metrics, const WorkerPools& pools) {
+  const std::map<std::string, const WorkerPool*> named = {
+      {"quick", &pools.quick}, {"search", &pools.search}, {"drawings", &pools.drawings}};
+  for (const auto& [name, pool] : named) {
+    metrics.watch("dualarm_pool_waiting", "Tasks that wait for a thread", {{"pool", name}},
+                  [watched = pool] { return static_cast<double>(watched->waiting()); });
+  }
   metrics.watch("process_resident_memory_bytes", "Resident memory", {}, resident_memory_bytes);
   metrics.watch("process_open_fds", "Open files and connections", {}, open_file_count);
   std::map<std::string, std::string> labels = {{"version", DUALARM_VERSION}};
@@ -63,10 +79,11 @@ void watch(Metrics& metrics, const WorkerPool& pool) {
 PlanningServer::PlanningServer(const ServerOptions& options, PlanningFunctions functions)
     : log_(checked(options).log_format == "json"),
       security_(options),
-      pool_(options.worker_threads, options.queue_capacity),
-      service_(std::move(functions), pool_, nanoseconds(options.planning_budget)),
+      pools_(options),
+      service_(std::move(functions), pools_, limits_of(options)),
       guarded_(service_, security_.admission()) {
   if (!options.replay_dir.empty()) keep_bugs_in(options.replay_dir, options.replay_limit);
+  keep_grpc_up();
   enable_health_and_reflection();
   grpc::ServerBuilder builder;
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);  // else a second server shares the port in silence
@@ -83,7 +100,7 @@ PlanningServer::PlanningServer(const ServerOptions& options, PlanningFunctions f
         "cannot listen on {}: the address is taken, not allowed, or not one of this machine", options.listen));
   }
   address_ = bound_address(options.listen, port_);
-  watch(metrics_, pool_);
+  watch(metrics_, pools_);
   if (!options.metrics_listen.empty()) endpoint_.emplace(options.metrics_listen, metrics_);
   server_->GetHealthCheckService()->SetServingStatus(wire::PlanningService::service_full_name(), true);
 }

@@ -14,7 +14,7 @@
 #include "server/planning_service.h"
 #include "server/security/guarded_service.h"
 #include "server/security/security.h"
-#include "server/worker_pool.h"
+#include "server/worker_pools.h"
 
 namespace dualarm {
 
@@ -59,7 +59,7 @@ class PlanningServer {
   CallLog log_;  // this and the metrics: calls report to them until the server has shut down
   Metrics metrics_;
   Security security_;
-  WorkerPool pool_;  // before the service and the server: calls run on it until the server has shut down
+  WorkerPools pools_;  // before the service and the server: calls run on them until the server has shut down
   PlanningService service_;
   GuardedService guarded_;
   int port_ = 0;

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dualarm/planning/v1/planning_service.pb.h"
+
 namespace dualarm {
 
 enum class ExitStatus : int {
@@ -31,5 +33,8 @@ class CommandError : public std::runtime_error {
 /// The error that a failed call ends in: the server's message, then every field violation on a line of its own,
 /// "  robot.arms[0].link.length_m: must be above 0". `server` is named where the call did not get through.
 CommandError error_of_call(const grpc::Status& status, const std::string& server);
+
+/// The end that an answer of the planner is.
+ExitStatus exit_status_of(const planning::v1::PlanMotionResponse& response);
 
 }  // namespace dualarm

@@ -18,6 +18,8 @@ struct ConnectionOptions {
   std::string token_file;   ///< file that holds the token to be sent; empty: none
 };
 
-void add_connection_options(CLI::App& command, ConnectionOptions& options);
+/// `timeout`: what --timeout is said to mean.
+void add_connection_options(CLI::App& command, ConnectionOptions& options,
+                            const std::string& timeout = "seconds to wait for one answer");
 
 }  // namespace dualarm

@@ -44,12 +44,16 @@ void PlanningClient::wait_until_serving() const {
   }
 }
 
-template <typename Response, typename Send>
-Response PlanningClient::call(Send send) const {
-  grpc::ClientContext context;
+void PlanningClient::prepare(grpc::ClientContext& context) const {
   if (!token_.empty()) context.AddMetadata("authorization", "Bearer " + token_);
   context.set_deadline(std::chrono::system_clock::now() +
                        std::chrono::microseconds(static_cast<std::int64_t>(1e6 * timeout_s_)));
+}
+
+template <typename Response, typename Send>
+Response PlanningClient::call(Send send) const {
+  grpc::ClientContext context;
+  prepare(context);
   const std::stop_callback cancel(stop_, [&context] { context.TryCancel(); });
   Response response;
   const grpc::Status status = send(&context, &response);
@@ -60,6 +64,49 @@ Response PlanningClient::call(Send send) const {
 PlanMotionResponse PlanningClient::plan(const PlanMotionRequest& request) const {
   return call<PlanMotionResponse>(
       [&](auto* context, auto* response) { return stub_->PlanMotion(context, request, response); });
+}
+
+PlanMotionResponse PlanningClient::plan(const PlanMotionRequest& request,
+                                        const std::function<void(const PlanMotionStreamResponse&)>& hear) const {
+  PlanMotionStreamRequest streamed;
+  *streamed.mutable_request() = request;
+  return call<PlanMotionResponse>([&](grpc::ClientContext* context, PlanMotionResponse* response) {
+    const auto stream = stub_->PlanMotionStream(context, streamed);
+    for (PlanMotionStreamResponse event; stream->Read(&event);) {
+      if (event.has_outcome()) {
+        *response = std::move(*event.mutable_outcome());
+      } else {
+        hear(event);
+      }
+    }
+    return stream->Finish();
+  });
+}
+
+void PlanningClient::plan_batch(const std::function<std::optional<PlanMotionBatchRequest>()>& next,
+                                const std::function<void(const PlanMotionBatchResponse&)>& answer) const {
+  grpc::ClientContext context;
+  prepare(context);
+  const std::stop_callback cancel(stop_, [&context] { context.TryCancel(); });
+  const auto stream = stub_->PlanMotionBatch(&context);
+  auto sent = std::async(std::launch::async, [&] {
+    try {
+      for (auto request = next(); request && stream->Write(*request);) request = next();
+      stream->WritesDone();
+    } catch (...) {
+      context.TryCancel();
+      throw;
+    }
+  });
+  try {
+    for (PlanMotionBatchResponse response; stream->Read(&response);) answer(response);
+  } catch (...) {
+    context.TryCancel();  // else the other thread would wait for room that nobody makes
+    throw;
+  }
+  const grpc::Status status = stream->Finish();
+  sent.get();
+  if (!status.ok()) throw error_of_call(status, server_name_);
 }
 
 VerifyMotionResponse PlanningClient::verify(const VerifyMotionRequest& request) const {

@@ -37,7 +37,8 @@ std::shared_ptr<grpc::ChannelCredentials> credentials_of(const ConnectionOptions
 bool stays_on_this_machine(std::string_view address) {
   const std::string_view host = address.substr(0, address.rfind(':'));
   const bool numeric = host.find_first_not_of("0123456789.") == std::string_view::npos;
-  return address.starts_with("unix:") || host == "localhost" || host == "[::1]" || (host.starts_with("127.") && numeric);
+  return address.starts_with("unix:") || host == "localhost" || host == "[::1]" ||
+         (host.starts_with("127.") && numeric);
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* GuardedService::PlanMo
       admission_, context, [&] { return behind_.PlanMotionStream(context, request); });
 }
 
-grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>* GuardedService::PlanMotionBatch(
+grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* GuardedService::PlanMotionBatch(
     grpc::CallbackServerContext* context) {
-  return guard<grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>>(
+  return guard<grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>>(
       admission_, context, [&] { return behind_.PlanMotionBatch(context); });
 }
 

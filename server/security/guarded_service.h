@@ -1,17 +1,15 @@
 #pragma once
 
-#include "dualarm/planning/v1/planning_service.grpc.pb.h"
+#include "server/planning_service.h"
 #include "server/security/admission.h"
-#include "server/wire.h"
 
 namespace dualarm {
 
 /// The planning service behind its door: every RPC asks the admission, and goes on only where it said OK to the call.
-class GuardedService final : public wire::PlanningService::CallbackService {
+class GuardedService final : public PlanningMethods {
  public:
   /// Both must outlive this.
-  GuardedService(wire::PlanningService::CallbackService& behind, const Admission& admission)
-      : behind_(behind), admission_(admission) {}
+  GuardedService(PlanningMethods& behind, const Admission& admission) : behind_(behind), admission_(admission) {}
 
   grpc::ServerUnaryReactor* PlanMotion(grpc::CallbackServerContext* context, const wire::PlanMotionRequest* request,
                                        wire::PlanMotionResponse* response) override;
@@ -25,11 +23,11 @@ class GuardedService final : public wire::PlanningService::CallbackService {
                                              wire::GetPhasePortraitResponse* response) override;
   grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanMotionStream(
       grpc::CallbackServerContext* context, const wire::PlanMotionStreamRequest* request) override;
-  grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>* PlanMotionBatch(
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* PlanMotionBatch(
       grpc::CallbackServerContext* context) override;
 
  private:
-  wire::PlanningService::CallbackService& behind_;
+  PlanningMethods& behind_;
   const Admission& admission_;
 };
 

@@ -86,8 +86,8 @@ TEST(CallObserver, ReplacesANameThatWouldForgeTheLog) {
 TEST(CallObserver, SaysWhyACallFailed) {
   const CapturedLog log;
   {
-    PlanningFunctions functions = quick_functions();
-    functions.plan = [](const Problem&, const Budget&) -> Outcome { throw std::logic_error("a bug"); };
+    const PlanningFunctions functions = functions_with(quick_planning(
+        [](const Problem&, const Budget&, const Observer&) -> Outcome { throw std::logic_error("a bug"); }));
     const TestServer server(functions);
     wire::PlanMotionResponse response;
     grpc::ClientContext bad;

@@ -91,13 +91,13 @@ grpc::Status answer_to_bytes(const TestServer& server, const std::string& method
 
 TEST(PlanningServer, SaysThatBytesAreNoRequest) {
   const TestServer server;
-  for (const char* method : {"PlanMotion", "VerifyMotion", "GetForbiddenRegion", "GetPhasePortrait"}) {
+  for (const char* method :
+       {"PlanMotion", "PlanMotionStream", "VerifyMotion", "GetForbiddenRegion", "GetPhasePortrait"}) {
     const grpc::Status status = answer_to_bytes(server, method, "\xff\xff\xff");
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << method;
     EXPECT_THAT(status.error_message(), HasSubstr(std::string("is not a dualarm.planning.v1.") + method + "Request"));
   }
   EXPECT_EQ(answer_to_bytes(server, "NoSuchMethod", "").error_code(), grpc::StatusCode::UNIMPLEMENTED);
-  EXPECT_EQ(answer_to_bytes(server, "PlanMotionBatch", "").error_code(), grpc::StatusCode::UNIMPLEMENTED);
 }
 
 TEST(PlanningServer, ListensOnAFreePortAndSaysWhich) {
@@ -143,13 +143,11 @@ TEST(PlanningServer, SpeaksPlaintextToOtherMachinesOnlyWhenTold) {
 TEST(PlanningServer, DrainingFinishesRunningCallsAndRefusesNewOnes) {
   std::promise<void> begun;
   std::promise<void> release;
-  PlanningFunctions functions = quick_functions();
-  functions.plan = [&](const Problem&, const Budget&) {
+  TestServer server(functions_with(quick_planning([&](const auto&...) {
     begun.set_value();
     release.get_future().wait();
-    return Outcome{Undecided{"finished", {}, 0.0, 0.0}, {}};
-  };
-  TestServer server(functions);
+    return undecided("finished");
+  })));
   const auto stub = server.stub();
   wire::PlanMotionResponse response;
   std::future<grpc::Status> running = std::async(std::launch::async, [&] {
@@ -175,13 +173,11 @@ TEST(PlanningServer, DrainingFinishesRunningCallsAndRefusesNewOnes) {
 
 TEST(PlanningServer, DrainingCancelsCallsWhenPatienceEnds) {
   std::promise<void> begun;
-  PlanningFunctions functions = quick_functions();
-  functions.plan = [&](const Problem&, const Budget& budget) {
+  TestServer server(functions_with(quick_planning([&](const Problem&, const Budget& budget, const Observer&) {
     begun.set_value();
     while (!budget.cancelled()) std::this_thread::yield();
-    return Outcome{Undecided{}, {}};
-  };
-  TestServer server(functions);
+    return undecided("");
+  })));
   std::future<grpc::Status> running = std::async(std::launch::async, [&] {
     grpc::ClientContext context;
     wire::PlanMotionResponse response;

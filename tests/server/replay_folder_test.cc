@@ -93,8 +93,8 @@ TEST_F(ReplayFolderTest, SaysWhereItCannotBe) {
 }
 
 TEST_F(ReplayFolderTest, HoldsTheRequestOfAnInternalAnswerUnderItsId) {
-  PlanningFunctions functions = quick_functions();
-  functions.plan = [](const Problem&, const Budget&) -> Outcome { throw std::logic_error("a bug"); };
+  const PlanningFunctions functions = functions_with(quick_planning(
+      [](const Problem&, const Budget&, const Observer&) -> Outcome { throw std::logic_error("a bug"); }));
   ServerOptions options;
   options.replay_dir = path("replay");
   const TestServer server(functions, options);

@@ -170,14 +170,14 @@ TEST_F(Tls, HealthIsOpenToAll) {
 TEST_F(Tls, LimitsTheCallsOfATokenAtOnce) {
   options_.token_file = path("tokens");
   std::promise<void> begun, release;
-  PlanningFunctions functions = quick_functions();
-  functions.plan = [&, first = true](const Problem&, const Budget&) mutable {
-    if (std::exchange(first, false)) {
-      begun.set_value();
-      release.get_future().wait();
-    }
-    return Outcome{Undecided{}, {}};
-  };
+  const PlanningFunctions functions =
+      functions_with(quick_planning([&, first = true](const Problem&, const Budget&, const Observer&) mutable {
+        if (std::exchange(first, false)) {
+          begun.set_value();
+          release.get_future().wait();
+        }
+        return Outcome{Undecided{}, {}};
+      }));
   const PlanningServer server(options_, functions);
   const auto connection = channel(server.address());
   auto running = std::async(std::launch::async, [&] { return plan(connection, kToken); });
