@@ -23,6 +23,18 @@ if(DUALARM_SANITIZER)
   add_link_options(-fsanitize=${DUALARM_SANITIZER})
 endif()
 
+# Hardening of every object, for whoever sends the bytes that are parsed (SECURITY.md); tests/server/hardening_test reads
+# the programs for it. Sanitizers bring checks of their own, and FORTIFY needs an optimising compiler.
+add_link_options(-Wl,-z,relro,-z,now,-z,noexecstack)
+if(NOT DUALARM_SANITIZER)
+  add_compile_options(-fstack-protector-strong -fstack-clash-protection -fcf-protection)
+  if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+    add_compile_options(-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+  endif()
+endif()
+include(CheckPIESupported)
+check_pie_supported()
+
 add_library(dualarm_warnings INTERFACE)
 target_compile_options(dualarm_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                                   -Wnon-virtual-dtor -Woverloaded-virtual)

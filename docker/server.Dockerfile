@@ -1,5 +1,6 @@
 # dualarm-server, and the client for health checks. From the project's root:
-#   buildah bud --format docker -t dualarm-server -f docker/server.Dockerfile .
+#   buildah bud --format docker -t dualarm-server --build-arg REVISION="$(git describe --tags --always --dirty)" \
+#       -f docker/server.Dockerfile .
 ARG BASE=debian:bookworm-slim
 
 FROM ${BASE} AS build
@@ -7,7 +8,8 @@ COPY scripts/setup.sh /src/scripts/setup.sh
 RUN /src/scripts/setup.sh
 COPY . /src
 WORKDIR /src
-RUN cmake --preset release -DDUALARM_BUILD_TESTS=OFF \
+ARG REVISION=unknown
+RUN cmake --preset release -DDUALARM_BUILD_TESTS=OFF -DDUALARM_GIT_DESCRIPTION="$REVISION" \
     && cmake --build --preset release --parallel "$(nproc)" --target dualarm dualarm-server
 # The packages whose libraries the two programs load, whatever this base calls them.
 RUN ldd build/release/bin/dualarm build/release/bin/dualarm-server \

@@ -4,6 +4,8 @@
 #include <google/protobuf/util/time_util.h>
 #include <grpcpp/support/error_details.h>
 
+#include <chrono>
+
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 
@@ -13,8 +15,12 @@ namespace {
 // Together, with base64 for the details and the names of the metadata, below 8 KiB.
 constexpr std::size_t kMostMessageBytes = 2000;
 constexpr std::size_t kMostDetailBytes = 3600;
-constexpr std::size_t kFramingBytes = 8;               // of one violation in protobuf
-constexpr std::chrono::milliseconds kRetryDelay{500};  // about the time in which a worker takes up a queued request
+constexpr std::size_t kFramingBytes = 8;  // of one violation in protobuf
+
+// About the time in which a place in the queue becomes free: of quick plans, of searches, of streams.
+constexpr std::chrono::milliseconds kRetryDelay{100};
+constexpr std::chrono::milliseconds kSearchRetryDelay{1000};
+constexpr std::chrono::milliseconds kStreamRetryDelay{1000};
 
 google::rpc::ErrorInfo error_info(std::string_view reason) {
   google::rpc::ErrorInfo info;
@@ -32,6 +38,13 @@ grpc::Status status(grpc::StatusCode code, const std::string& message, const std
   rich.set_message(summary);
   (rich.add_details()->PackFrom(details), ...);
   return {code, message, rich.SerializeAsString()};
+}
+
+grpc::Status exhausted(std::string_view what, std::string_view reason, std::chrono::milliseconds retry_delay) {
+  google::rpc::RetryInfo retry;
+  *retry.mutable_retry_delay() = google::protobuf::util::TimeUtil::MillisecondsToDuration(retry_delay.count());
+  const std::string message = fmt::format("{}: try again in {} ms", what, retry_delay.count());
+  return status(grpc::StatusCode::RESOURCE_EXHAUSTED, message, message, retry, error_info(reason));
 }
 
 // gRPC sends a message percent-encoded: three bytes for '%' and whatever is not printable ASCII.
@@ -88,17 +101,32 @@ grpc::Status malformed_request(std::string_view type) {
   return status(grpc::StatusCode::INVALID_ARGUMENT, message, message, error_info("MALFORMED_REQUEST"));
 }
 
-grpc::Status overloaded() {
-  google::rpc::RetryInfo retry;
-  *retry.mutable_retry_delay() = google::protobuf::util::TimeUtil::MillisecondsToDuration(kRetryDelay.count());
-  const std::string message =
-      fmt::format("all workers are busy and the queue is full: try again in {} ms", kRetryDelay.count());
-  return status(grpc::StatusCode::RESOURCE_EXHAUSTED, message, message, retry, error_info("QUEUE_FULL"));
+grpc::Status too_many_calls(int most_calls) {
+  return exhausted(fmt::format("this token has {} calls at once, and no more are allowed", most_calls),
+                   "TOO_MANY_CALLS", kRetryDelay);
 }
 
-grpc::Status not_served(std::string_view rpc, std::string_view instead) {
-  const std::string message = fmt::format("{} is not served by this version: {}", rpc, instead);
-  return status(grpc::StatusCode::UNIMPLEMENTED, message, message, error_info("NOT_SERVED"));
+grpc::Status unauthenticated(std::string_view reason) {
+  const std::string message =
+      "this server asks for a token: send the metadata 'authorization: Bearer TOKEN' with one that it knows";
+  return status(grpc::StatusCode::UNAUTHENTICATED, message, message, error_info(reason));
+}
+
+grpc::Status overloaded() { return exhausted("all workers are busy and the queue is full", "QUEUE_FULL", kRetryDelay); }
+
+grpc::Status searches_overloaded() {
+  return exhausted(
+      "the problem needs a search, as the quick methods gave no plan; all searches are busy and their queue is full",
+      "SEARCH_QUEUE_FULL", kSearchRetryDelay);
+}
+
+grpc::Status too_many_streams() {
+  return exhausted("as many streams are open as this server allows", "TOO_MANY_STREAMS", kStreamRetryDelay);
+}
+
+grpc::Status batch_too_long(std::size_t most) {
+  const std::string message = fmt::format("a batch has at most {} requests: open another stream", most);
+  return status(grpc::StatusCode::RESOURCE_EXHAUSTED, message, message, error_info("BATCH_TOO_LONG"));
 }
 
 grpc::Status out_of_time(std::string_view what, std::string_view remedy) {

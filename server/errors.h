@@ -2,7 +2,7 @@
 
 #include <grpcpp/support/status.h>
 
-#include <chrono>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -20,11 +20,23 @@ grpc::Status invalid_argument(const Violations& violations);
 /// INVALID_ARGUMENT: the bytes are not a message of this type.
 grpc::Status malformed_request(std::string_view type);
 
-/// RESOURCE_EXHAUSTED: a RetryInfo.
+/// RESOURCE_EXHAUSTED with a RetryInfo: no worker and no place in the queue is free.
 grpc::Status overloaded();
 
-/// UNIMPLEMENTED: `instead` says what serves the purpose.
-grpc::Status not_served(std::string_view rpc, std::string_view instead);
+/// RESOURCE_EXHAUSTED: a RetryInfo. The caller's token has this many calls at once already.
+grpc::Status too_many_calls(int most_calls);
+
+/// UNAUTHENTICATED: no token, or none that the server knows (ErrorInfo TOKEN_MISSING, TOKEN_UNKNOWN).
+grpc::Status unauthenticated(std::string_view reason);
+
+/// The same of searches: the quick methods gave no plan.
+grpc::Status searches_overloaded();
+
+/// RESOURCE_EXHAUSTED with a RetryInfo: as many streams are open as the server allows.
+grpc::Status too_many_streams();
+
+/// RESOURCE_EXHAUSTED: the stream has had `most` requests.
+grpc::Status batch_too_long(std::size_t most);
 
 /// DEADLINE_EXCEEDED: `what` takes longer than the caller waits or the server allows a call; `remedy` says what to ask
 /// for instead.

@@ -5,7 +5,6 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include <array>
 #include <charconv>
 #include <cstring>
 #include <string_view>
@@ -42,12 +41,9 @@ std::string complaint_about_address(const std::string& address) {
 bool is_unix_address(const std::string& address) { return address.starts_with(kUnixScheme); }
 
 bool is_local_address(const std::string& address) {
-  constexpr std::array<std::string_view, 3> kLoopback = {"127.", "localhost:", "[::1]:"};
-  if (is_unix_address(address)) return true;
-  for (const std::string_view prefix : kLoopback) {
-    if (address.starts_with(prefix)) return true;
-  }
-  return false;
+  const std::string_view host = std::string_view(address).substr(0, address.rfind(':'));
+  const bool numeric = host.find_first_not_of("0123456789.") == std::string_view::npos;  // not 127.example.com
+  return is_unix_address(address) || host == "localhost" || host == "[::1]" || (host.starts_with("127.") && numeric);
 }
 
 bool is_unix_address_taken(const std::string& address) {

@@ -9,9 +9,10 @@
 namespace dualarm {
 
 /// Sends the log, gRPC's own included, to stderr. level: one of trace, debug, info, warning, error, critical, off.
-void start_logs(const std::string& level);
+/// json: one JSON object a line instead of text.
+void start_logs(const std::string& level, bool json = false);
 
-/// What one line about a finished call says.
+/// What the code that answers knows of a call or of one request of a batch.
 struct CallRecord {
   std::string_view rpc;
   grpc::StatusCode code;
@@ -20,7 +21,12 @@ struct CallRecord {
   double total_milliseconds;
 };
 
+/// A line at level debug. The one line at level info that every call has is call_observer's.
 void log_call(const CallRecord& record);
+
+/// From now on log_bug() also keeps requests as files in this folder (replay_folder.h). Call it before serving; like
+/// the log, it is one for the process. Throws std::runtime_error where the folder is no good.
+void keep_bugs_in(const std::string& folder, int limit);
 
 /// Logs a bug with the request that met it, as JSON (cut to 64 KiB); the id is in the log and for the caller.
 std::string log_bug(std::string_view rpc, std::string_view what, const google::protobuf::Message& request);

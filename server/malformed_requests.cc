@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "server/errors.h"
-#include "server/logs.h"
 #include "server/wire.h"
 
 namespace dualarm {
@@ -29,7 +28,6 @@ class Explainer final : public grpc::experimental::Interceptor {
       const grpc::Status status = batch->GetSendStatus();
       if (status.error_code() == grpc::StatusCode::UNIMPLEMENTED && status.error_message().empty()) {
         batch->ModifySendStatus(malformed_request(method_.input_type()->full_name()));
-        log_call({method_.name(), grpc::StatusCode::INVALID_ARGUMENT, "malformed", 0.0, 0.0});
       }
     }
     batch->Proceed();

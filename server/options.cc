@@ -1,19 +1,21 @@
 #include "server/options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
+#include <iostream>
 #include <thread>
 
+#include "server/build_information.h"
 #include "server/listen_address.h"
+#include "server/metrics_endpoint.h"
 
 namespace dualarm {
 namespace {
 
-constexpr int kUsageError = 2;
-
 void add_options(CLI::App& app, ServerOptions& options) {
-  app.set_version_flag("--version", "dualarm-server " DUALARM_VERSION);
-  app.option_defaults()->always_capture_default();
   app.add_option("--listen", options.listen, "HOST:PORT (port 0: any free one) or unix:PATH")
       ->envname("DUALARM_LISTEN")
       ->check(CLI::Validator(complaint_about_address, ""));
@@ -24,13 +26,29 @@ void add_options(CLI::App& app, ServerOptions& options) {
   app.add_option("--max-message-mib", options.max_message_mib, "Largest request in MiB")
       ->envname("DUALARM_MAX_MESSAGE_MIB")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--worker-threads", options.worker_threads, "Computations at once")
+  app.add_option("--worker-threads", options.worker_threads, "Quick computations at once")
       ->envname("DUALARM_WORKER_THREADS")
       ->check(CLI::Range(1, 1024));
   app.add_option("--queue-capacity", options.queue_capacity, "Requests that may wait for a worker")
       ->envname("DUALARM_QUEUE_CAPACITY")
       ->check(CLI::Range(0, 1'000'000));
-  app.add_option("--planning-budget", options.planning_budget, "Longest computation of one call in seconds")
+  app.add_option("--search-threads", options.search_threads, "Searches at once")
+      ->envname("DUALARM_SEARCH_THREADS")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--search-queue", options.search_queue, "Requests that may wait for a search")
+      ->envname("DUALARM_SEARCH_QUEUE")
+      ->check(CLI::Range(0, 1'000'000));
+  app.add_option("--niceness", options.niceness,
+                 "How far threads that search or draw stand back behind quick ones: 0 not at all")
+      ->envname("DUALARM_NICENESS")
+      ->check(CLI::Range(0, 19));
+  app.add_option("--max-streams", options.max_streams, "Calls of PlanMotionStream and PlanMotionBatch at once")
+      ->envname("DUALARM_MAX_STREAMS")
+      ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--batch-in-flight", options.batch_in_flight, "Requests of one batch that are read and not answered")
+      ->envname("DUALARM_BATCH_IN_FLIGHT")
+      ->check(CLI::Range(1, 10'000));
+  app.add_option("--planning-budget", options.planning_budget, "Longest computation of one request in seconds")
       ->envname("DUALARM_PLANNING_BUDGET")
       ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--drain-seconds", options.drain_seconds,
@@ -42,18 +60,158 @@ void add_options(CLI::App& app, ServerOptions& options) {
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}));
 }
 
+std::string complaint_about_metrics_address(const std::string& listen) {
+  return listen.empty() ? "" : complaint_about_address(metrics_address(listen));
+}
+
+void add_operations_options(CLI::App& app, ServerOptions& options) {
+  app.add_option("--drain-notice", options.drain_notice,
+                 "How long the server still serves after SIGTERM while health says NOT_SERVING, in seconds")
+      ->envname("DUALARM_DRAIN_NOTICE")
+      ->check(CLI::Range(0.0, 3600.0));
+  app.add_option("--log-format", options.log_format, "How a line of the log looks")
+      ->envname("DUALARM_LOG_FORMAT")
+      ->check(CLI::IsMember({"text", "json"}));
+  app.add_option("--metrics-listen", options.metrics_listen,
+                 "HOST:PORT, or PORT on 127.0.0.1, of Prometheus metrics at /metrics (port 0: any free one)")
+      ->envname("DUALARM_METRICS_LISTEN")
+      ->check(CLI::Validator(complaint_about_metrics_address, ""));
+  app.add_option("--replay-dir", options.replay_dir, "Folder that keeps requests that met a bug, as scenario files")
+      ->envname("DUALARM_REPLAY_DIR");
+  app.add_option("--replay-limit", options.replay_limit, "Files in that folder; more are not kept")
+      ->envname("DUALARM_REPLAY_LIMIT")
+      ->check(CLI::Range(1, 100'000));
+}
+
+void add_security_options(CLI::App& app, ServerOptions& options) {
+  auto* cert = app.add_option("--tls-cert", options.tls_cert, "PEM file with the server's certificate chain: TLS")
+                   ->envname("DUALARM_TLS_CERT");
+  auto* key = app.add_option("--tls-key", options.tls_key, "PEM file with its private key")->envname("DUALARM_TLS_KEY");
+  cert->needs(key);
+  key->needs(cert);
+  app.add_option("--tls-client-ca", options.tls_client_ca,
+                 "PEM file with the authorities whose certificates clients must present: mutual TLS")
+      ->envname("DUALARM_TLS_CLIENT_CA")
+      ->needs(cert);
+  app.add_option("--token-file", options.token_file, "File with the tokens of callers; without it anybody may call")
+      ->envname("DUALARM_TOKEN_FILE");
+  app.add_option("--token-concurrency", options.token_concurrency, "Calls at once of one token")
+      ->envname("DUALARM_TOKEN_CONCURRENCY")
+      ->check(CLI::Range(1, 1'000'000));
+}
+
+// CLI11 lets the file win over the environment: what the environment gives is left out of the file.
+class FileBelowEnvironment final : public CLI::ConfigTOML {
+ public:
+  explicit FileBelowEnvironment(const CLI::App& app) : app_(app) {}
+
+  std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+    std::vector<CLI::ConfigItem> given = CLI::ConfigTOML::from_config(input);
+    std::erase_if(given, [this](const CLI::ConfigItem& item) { return is_in_environment(item); });
+    return given;
+  }
+
+ private:
+  bool is_in_environment(const CLI::ConfigItem& item) const {
+    const CLI::Option* option = app_.get_option_no_throw("--" + item.name);
+    const char* value = option == nullptr ? nullptr : std::getenv(option->get_envname().c_str());
+    return item.parents.empty() && value != nullptr && *value != '\0';
+  }
+
+  const CLI::App& app_;
+};
+
+void add_configuration_file(CLI::App& app, ServerOptions& options) {
+  const char* file = std::getenv("DUALARM_CONFIG");
+  const std::string from_environment = file == nullptr ? "" : file;
+  app.set_config("--config", from_environment, "TOML file with any of these options: listen = \"127.0.0.1:50051\"",
+                 !from_environment.empty())
+      ->envname("DUALARM_CONFIG");
+  app.config_formatter(std::make_shared<FileBelowEnvironment>(app));
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  app.add_flag("--check-config", options.check_config,
+               "Print the options in force, look at the files they name, and end: status 0 if all is well, else 2")
+      ->configurable(false);
+}
+
+void add_all(CLI::App& app, ServerOptions& options) {
+  app.set_version_flag("--version", version_line());
+  app.option_defaults()->always_capture_default();
+  add_options(app, options);
+  add_operations_options(app, options);
+  add_security_options(app, options);
+  add_configuration_file(app, options);
+  app.add_flag_callback(
+      "--options-table",
+      [] {
+        std::cout << options_table();
+        throw CLI::Success();
+      },
+      "Print the options as a table in Markdown, that of docs/operations.md");
+}
+
+// "INT in [1 - 1024]" is "1 to 1024", "{text,json}" is "text, json".
+std::string range_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t open = type.find_first_of("[{");
+  const std::size_t close = type.find_last_of("]}");
+  if (open == std::string::npos || close == std::string::npos) return "";
+  std::string range = type.substr(open + 1, close - open - 1);
+  if (const std::size_t dash = range.find(" - "); dash != std::string::npos) return range.replace(dash, 3, " to ");
+  for (std::size_t comma = range.find(','); comma != std::string::npos; comma = range.find(',', comma + 2)) {
+    range.replace(comma, 1, ", ");
+  }
+  return range;
+}
+
+// The number of threads is this machine's.
+std::string default_of(const CLI::Option& option) {
+  if (option.get_name().ends_with("-threads")) return "hardware threads";
+  const bool is_flag = option.get_items_expected_max() == 0;
+  return option.get_default_str().empty() ? (is_flag ? "false" : "none") : option.get_default_str();
+}
+
+// The options in force, as a configuration file has them.
+std::string listing_of(const CLI::App& app) {
+  std::string listing;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_envname().empty()) continue;  // help, version, check-config
+    const std::string value = option->count() > 0 ? option->as<std::string>() : option->get_default_str();
+    const bool bare =
+        value.find_first_not_of("0123456789.e+-") == std::string::npos || value == "true" || value == "false";
+    if (value.empty()) continue;
+    listing += fmt::format("{} = {}\n", option->get_single_name(), bare ? value : fmt::format("\"{}\"", value));
+  }
+  return listing;
+}
+
 }  // namespace
+
+std::string options_table() {
+  ServerOptions options;
+  CLI::App app;
+  add_all(app, options);
+  std::string table = "| flag | environment | default | range | meaning |\n|---|---|---|---|---|\n";
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_envname().empty()) continue;  // help, version, check-config
+    table += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", option->get_name(), option->get_envname(),
+                         default_of(*option), range_of(*option), option->get_description());
+  }
+  return table;
+}
 
 std::variant<ServerOptions, ExitStatus> read_options(int argc, const char* const* argv) {
   ServerOptions options;
   options.worker_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  options.search_threads = options.worker_threads;
   CLI::App app("Plans time-optimal, verified motions of two arms over gRPC", "dualarm-server");
-  add_options(app, options);
+  add_all(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return ExitStatus{app.exit(error) == 0 ? 0 : kUsageError};
   }
+  if (options.check_config) std::cout << listing_of(app);
   return options;
 }
 

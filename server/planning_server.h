@@ -4,11 +4,17 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "server/call_log.h"
+#include "server/metrics.h"
+#include "server/metrics_endpoint.h"
 #include "server/options.h"
 #include "server/planning_service.h"
-#include "server/worker_pool.h"
+#include "server/security/guarded_service.h"
+#include "server/security/security.h"
+#include "server/worker_pools.h"
 
 namespace dualarm {
 
@@ -16,7 +22,8 @@ namespace dualarm {
 /// of the constructor until drain().
 class PlanningServer {
  public:
-  /// Throws std::runtime_error, with a message for the operator, if the address cannot be listened on.
+  /// Throws std::runtime_error, with a message for the operator, if the options are no good (complaints_about) or the
+  /// address cannot be listened on.
   PlanningServer(const ServerOptions& options, PlanningFunctions functions);
 
   /// Drains without patience if drain() was not called.
@@ -31,15 +38,34 @@ class PlanningServer {
   /// Where clients reach it, with the port that was bound.
   const std::string& address() const { return address_; }
 
+  /// Where Prometheus finds /metrics; "" for nowhere.
+  std::string metrics_address() const { return endpoint_ ? endpoint_->address() : ""; }
+
+  const Metrics& metrics() const { return metrics_; }
+
+  /// "plaintext", "TLS with <certificate>; 3 tokens", ...
+  const std::string& protection() const { return security_.summary(); }
+
+  /// Reads certificates and tokens anew and logs what came of it; what is no good stays as it was.
+  void reload();
+
+  /// Health says NOT_SERVING from now on, and everything is served as before.
+  void announce_end();
+
   /// Health says NOT_SERVING, new calls are refused, running ones get this long to finish and are then cancelled.
   void drain(std::chrono::nanoseconds patience);
 
  private:
-  WorkerPool pool_;  // before the service and the server: calls run on it until the server has shut down
+  CallLog log_;  // this and the metrics: calls report to them until the server has shut down
+  Metrics metrics_;
+  Security security_;
+  WorkerPools pools_;  // before the service and the server: calls run on them until the server has shut down
   PlanningService service_;
+  GuardedService guarded_;
   int port_ = 0;
   std::string address_;
   std::unique_ptr<grpc::Server> server_;
+  std::optional<MetricsEndpoint> endpoint_;
 };
 
 }  // namespace dualarm

@@ -2,47 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
+#include "server/batch_call.h"
 #include "server/errors.h"
-#include "server/logs.h"
 #include "server/request/requests.h"
 #include "server/response/responses.h"
+#include "server/stream_call.h"
 #include "server/unary_call.h"
 
 namespace dualarm {
 namespace {
 
-// A call of an RPC that this version does not serve: it ends as soon as it begins.
-template <typename Reactor>
-class RefusedCall final : public Reactor {
- public:
-  RefusedCall(std::string_view rpc, std::string_view instead) {
-    log_call({rpc, grpc::StatusCode::UNIMPLEMENTED, "not served", 0.0, 0.0});
-    this->Finish(not_served(rpc, instead));
-  }
-  void OnDone() override { delete this; }
-};
-
-Answer refusal(const Violations& violations) {
-  return {invalid_argument(violations), fmt::format("{} violations", violations.count())};
-}
-
-std::string note_on(const wire::PlanMotionResponse& response) {
-  switch (response.outcome_case()) {
-    case wire::PlanMotionResponse::kPlan:
-      return fmt::format("plan {} duration_s={:.6f} gap={:.2e}", wire::Method_Name(response.plan().method()),
-                         response.plan().duration_s(), response.plan().certificate().gap());
-    case wire::PlanMotionResponse::kInfeasible:
-      return fmt::format("infeasible {}", wire::Reason_Name(response.infeasible().reason()));
-    case wire::PlanMotionResponse::kUndecided:
-      return "undecided";
-    case wire::PlanMotionResponse::OUTCOME_NOT_SET:
-      break;
-  }
-  return "valid";
-}
+// Half of the shortest time between two progress messages, so that none comes much later than it may.
+constexpr std::chrono::milliseconds kTick = ProgressPace::kShortest / 2;
 
 std::string note_on(const wire::GetPhasePortraitResponse& response) {
   if (response.has_infeasible()) return fmt::format("infeasible {}", wire::Reason_Name(response.infeasible().reason()));
@@ -52,49 +25,54 @@ std::string note_on(const wire::GetPhasePortraitResponse& response) {
 
 }  // namespace
 
-PlanningService::PlanningService(PlanningFunctions functions, WorkerPool& pool,
-                                 std::chrono::nanoseconds longest_planning)
-    : functions_(std::move(functions)), pool_(pool), longest_planning_(longest_planning) {}
+PlanningService::PlanningService(PlanningFunctions functions, WorkerPools& pools, const ServiceLimits& limits)
+    : planner_{std::move(functions), pools, limits.longest_planning},
+      streams_(limits.streams),
+      batch_in_flight_(limits.batch_in_flight),
+      ticker_(kTick) {}
 
 grpc::ServerUnaryReactor* PlanningService::PlanMotion(grpc::CallbackServerContext* context,
                                                       const wire::PlanMotionRequest* request,
                                                       wire::PlanMotionResponse* response) {
-  return UnaryCall::start(pool_, "PlanMotion", *context, *request, [this, request, response](const UnaryCall& call) {
-    const Parsed<PlanWish> parsed = parse(*request);
-    if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
-    const auto& wish = std::get<PlanWish>(parsed);
-    if (!wish.validate_only) {
-      const Budget budget = call.budget(std::min(wish.budget.value_or(longest_planning_), longest_planning_));
-      *response = response_message(functions_.plan(wish.problem, budget));
-    }
-    return Answer{grpc::Status::OK, note_on(*response)};
-  });
+  return PlanCall::start(planner_, *context, *request, *response);
+}
+
+grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanningService::PlanMotionStream(
+    grpc::CallbackServerContext* context, const wire::PlanMotionStreamRequest* request) {
+  return StreamCall::start(planner_, ticker_, streams_, *context, *request);
+}
+
+grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* PlanningService::PlanMotionBatch(
+    grpc::CallbackServerContext* context) {
+  return BatchCall::start(planner_, streams_, batch_in_flight_, *context);
 }
 
 grpc::ServerUnaryReactor* PlanningService::VerifyMotion(grpc::CallbackServerContext* context,
                                                         const wire::VerifyMotionRequest* request,
                                                         wire::VerifyMotionResponse* response) {
-  return UnaryCall::start(pool_, "VerifyMotion", *context, *request, [this, request, response](const UnaryCall& call) {
-    const Parsed<VerifyWish> parsed = parse(*request);
-    if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
-    const auto& wish = std::get<VerifyWish>(parsed);
-    const Verification verification =
-        functions_.verify(wish.problem, wish.trajectory, call.budget(longest_planning_), wish.check_end_states);
-    *response = response_message(verification);
-    return Answer{grpc::Status::OK, verification.holds() ? "holds" : "does not hold"};
-  });
+  return UnaryCall::start(planner_.pools.quick, "VerifyMotion", *context, *request,
+                          [this, request, response](const Caller& caller) {
+                            const Parsed<VerifyWish> parsed = parse(*request);
+                            if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
+                            const auto& wish = std::get<VerifyWish>(parsed);
+                            const Verification verification = planner_.functions.verify(
+                                wish.problem, wish.trajectory, caller.budget(planner_.longest), wish.check_end_states);
+                            *response = response_message(verification);
+                            return Answer{grpc::Status::OK, verification.holds() ? "holds" : "does not hold"};
+                          });
 }
 
 grpc::ServerUnaryReactor* PlanningService::GetForbiddenRegion(grpc::CallbackServerContext* context,
                                                               const wire::GetForbiddenRegionRequest* request,
                                                               wire::GetForbiddenRegionResponse* response) {
   return UnaryCall::start(
-      pool_, "GetForbiddenRegion", *context, *request, [this, request, response](const UnaryCall& call) {
+      planner_.pools.drawings, "GetForbiddenRegion", *context, *request,
+      [this, request, response](const Caller& caller) {
         const Parsed<RegionWish> parsed = parse(*request);
         if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
         const auto& wish = std::get<RegionWish>(parsed);
         const auto contours =
-            functions_.forbidden_region(wish.problem, wish.resolution, call.budget(longest_planning_));
+            planner_.functions.forbidden_region(wish.problem, wish.resolution, caller.budget(planner_.longest));
         if (!contours)
           return Answer{out_of_time("the forbidden region", "a lower resolution or fewer objects"), "out of time"};
         *response = response_message(*contours, wish.problem);
@@ -106,28 +84,16 @@ grpc::ServerUnaryReactor* PlanningService::GetPhasePortrait(grpc::CallbackServer
                                                             const wire::GetPhasePortraitRequest* request,
                                                             wire::GetPhasePortraitResponse* response) {
   return UnaryCall::start(
-      pool_, "GetPhasePortrait", *context, *request, [this, request, response](const UnaryCall& call) {
+      planner_.pools.drawings, "GetPhasePortrait", *context, *request, [this, request, response](const Caller& caller) {
         const Parsed<PortraitWish> parsed = parse(*request);
         if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
         const auto& wish = std::get<PortraitWish>(parsed);
         const auto portrait =
-            functions_.arm_portrait(wish.problem, wish.arm, wish.resolution, call.budget(longest_planning_));
+            planner_.functions.arm_portrait(wish.problem, wish.arm, wish.resolution, caller.budget(planner_.longest));
         if (!portrait) return Answer{out_of_time("the phase portrait", "a lower resolution"), "out of time"};
         *response = response_message(*portrait);
         return Answer{grpc::Status::OK, note_on(*response)};
       });
-}
-
-grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanningService::PlanMotionStream(
-    grpc::CallbackServerContext* /*context*/, const wire::PlanMotionStreamRequest* /*request*/) {
-  return new RefusedCall<grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>>(
-      "PlanMotionStream", "call PlanMotion, which answers once with the same outcome");
-}
-
-grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>* PlanningService::PlanMotionBatch(
-    grpc::CallbackServerContext* /*context*/) {
-  return new RefusedCall<grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>>(
-      "PlanMotionBatch", "call PlanMotion once for each request");
 }
 
 }  // namespace dualarm

@@ -1,36 +1,45 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
-#include <optional>
-#include <vector>
 
-#include "core/arm_portrait.h"
-#include "core/coordination/region.h"
-#include "core/plan.h"
 #include "dualarm/planning/v1/planning_service.grpc.pb.h"
+#include "server/places.h"
+#include "server/planning_functions.h"
+#include "server/planning_task.h"
+#include "server/ticker.h"
 #include "server/wire.h"
-#include "server/worker_pool.h"
+#include "server/worker_pools.h"
 
 namespace dualarm {
 
-/// What the service calls: plan, verify, forbidden_region and arm_portrait of core; tests put others in their place.
-struct PlanningFunctions {
-  std::function<Outcome(const Problem&, const Budget&)> plan;
-  std::function<Verification(const Problem&, const Trajectory&, const Budget&, bool check_end_states)> verify;
-  std::function<std::optional<std::vector<Contour>>(const Problem&, int resolution, const Budget&)> forbidden_region;
-  std::function<std::optional<ArmPortrait>(const Problem&, int arm, int resolution, const Budget&)> arm_portrait;
+/// The methods of the wire, all by gRPC's callback API. PlanMotionBatch parses its messages itself: see batch_call.h.
+using PlanningMethods =
+    wire::PlanningService::WithCallbackMethod_PlanMotion<wire::PlanningService::WithCallbackMethod_PlanMotionStream<
+        wire::PlanningService::WithRawCallbackMethod_PlanMotionBatch<
+            wire::PlanningService::WithCallbackMethod_VerifyMotion<
+                wire::PlanningService::WithCallbackMethod_GetForbiddenRegion<
+                    wire::PlanningService::WithCallbackMethod_GetPhasePortrait<wire::PlanningService::Service>>>>>>;
+
+/// What one server allows its callers.
+struct ServiceLimits {
+  std::chrono::nanoseconds longest_planning;  ///< of one request
+  int streams = 0;                            ///< open at once, batches included
+  int batch_in_flight = 0;                    ///< requests of one batch that are read and not answered
 };
 
 /// The RPCs of proto/dualarm/planning/v1/planning_service.proto. Each parses, has a worker compute, and renders; no
 /// state is kept between calls.
-class PlanningService final : public wire::PlanningService::CallbackService {
+class PlanningService final : public PlanningMethods {
  public:
-  /// `pool` must outlive the service and every call. No call computes for longer than `longest_planning`.
-  PlanningService(PlanningFunctions functions, WorkerPool& pool, std::chrono::nanoseconds longest_planning);
+  /// `pools` must outlive the service and every call, the service every call.
+  PlanningService(PlanningFunctions functions, WorkerPools& pools, const ServiceLimits& limits);
 
   grpc::ServerUnaryReactor* PlanMotion(grpc::CallbackServerContext* context, const wire::PlanMotionRequest* request,
                                        wire::PlanMotionResponse* response) override;
+  grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanMotionStream(
+      grpc::CallbackServerContext* context, const wire::PlanMotionStreamRequest* request) override;
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* PlanMotionBatch(
+      grpc::CallbackServerContext* context) override;
   grpc::ServerUnaryReactor* VerifyMotion(grpc::CallbackServerContext* context, const wire::VerifyMotionRequest* request,
                                          wire::VerifyMotionResponse* response) override;
   grpc::ServerUnaryReactor* GetForbiddenRegion(grpc::CallbackServerContext* context,
@@ -40,16 +49,11 @@ class PlanningService final : public wire::PlanningService::CallbackService {
                                              const wire::GetPhasePortraitRequest* request,
                                              wire::GetPhasePortraitResponse* response) override;
 
-  /// Not served yet: UNIMPLEMENTED with what to use instead.
-  grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanMotionStream(
-      grpc::CallbackServerContext* context, const wire::PlanMotionStreamRequest* request) override;
-  grpc::ServerBidiReactor<wire::PlanMotionBatchRequest, wire::PlanMotionBatchResponse>* PlanMotionBatch(
-      grpc::CallbackServerContext* context) override;
-
  private:
-  PlanningFunctions functions_;
-  WorkerPool& pool_;
-  std::chrono::nanoseconds longest_planning_;
+  Planner planner_;
+  Places streams_;
+  int batch_in_flight_;
+  Ticker ticker_;
 };
 
 }  // namespace dualarm

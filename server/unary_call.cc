@@ -1,30 +1,10 @@
 #include "server/unary_call.h"
 
-#include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "server/errors.h"
-#include "server/logs.h"
 
 namespace dualarm {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// What encoding the answer and sending it may take: a plan that is ready when the caller has gone is worth nothing.
-constexpr std::chrono::milliseconds kAnswerMargin{20};
-
-Clock::time_point on_steady_clock(std::chrono::system_clock::time_point time) {
-  if (time == std::chrono::system_clock::time_point::max()) return Clock::time_point::max();
-  const auto remaining = time - std::chrono::system_clock::now();
-  constexpr std::chrono::hours kForever{24 * 365};  // gRPC's "no deadline" is far away, but not max() on every path
-  return remaining > kForever ? Clock::time_point::max() : Clock::now() + remaining - kAnswerMargin;
-}
-
-double milliseconds(Clock::duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
-
-}  // namespace
 
 grpc::ServerUnaryReactor* UnaryCall::start(WorkerPool& pool, std::string_view rpc,
                                            const grpc::CallbackServerContext& context,
@@ -36,38 +16,39 @@ grpc::ServerUnaryReactor* UnaryCall::start(WorkerPool& pool, std::string_view rp
 
 UnaryCall::UnaryCall(std::string_view rpc, const grpc::CallbackServerContext& context,
                      const google::protobuf::Message& request, Work work)
-    : rpc_(rpc), request_(request), work_(std::move(work)), caller_waits_until_(on_steady_clock(context.deadline())) {}
-
-Budget UnaryCall::budget(std::chrono::nanoseconds at_most) const {
-  return Budget(std::min(Clock::now() + at_most, caller_waits_until_), [this] { return cancelled(); });
-}
+    : caller_(rpc, context), request_(request), work_(std::move(work)) {}
 
 void UnaryCall::run() {
-  started_ = Clock::now();
-  finish(answer());
+  const auto waited = Caller::Clock::now() - caller_.since();
+  Answer answered = answer_of(caller_.rpc(), request_, [this] { return answer(); });
+  answered.waited = waited;
+  finish(answered);
 }
 
 Answer UnaryCall::answer() const {
-  if (cancelled()) return {dualarm::cancelled(), "before it began"};
-  try {
-    Answer answer = work_(*this);
-    return cancelled() ? Answer{dualarm::cancelled(), "while it ran"} : answer;
-  } catch (const std::exception& exception) {
-    return answer_to_exception(exception.what());
-  } catch (...) {
-    return answer_to_exception("an exception of unknown type");
-  }
-}
-
-Answer UnaryCall::answer_to_exception(std::string_view what) const {
-  const std::string id = log_bug(rpc_, what, request_);
-  return {internal_error(id), "bug " + id};
+  if (caller_.has_left()) return gone("before it began");
+  Answer answered = work_(caller_);
+  return caller_.has_left() ? gone("while it ran") : answered;
 }
 
 void UnaryCall::finish(const Answer& answer) {
-  log_call({rpc_, answer.status.error_code(), answer.note, milliseconds(started_ - received_),
-            milliseconds(Clock::now() - received_)});
+  caller_.log(answer);
   Finish(answer.status);  // the call may be gone from here on
 }
+
+grpc::ServerUnaryReactor* PlanCall::start(const Planner& planner, const grpc::CallbackServerContext& context,
+                                          const wire::PlanMotionRequest& request, wire::PlanMotionResponse& response) {
+  auto* call = new PlanCall(planner, context, request, response);  // deleted by OnDone
+  call->task_.start();
+  return call;
+}
+
+PlanCall::PlanCall(const Planner& planner, const grpc::CallbackServerContext& context,
+                   const wire::PlanMotionRequest& request, wire::PlanMotionResponse& response)
+    : caller_("PlanMotion", context),
+      task_(planner, caller_, request, response, WhenFull::kRefuse, [this](const Answer& answer) {
+        caller_.log(answer);
+        Finish(answer.status);  // the call may be gone from here on
+      }) {}
 
 }  // namespace dualarm

@@ -11,6 +11,7 @@ ExitStatus exit_status_of(grpc::StatusCode code) {
   switch (code) {
     case grpc::StatusCode::INVALID_ARGUMENT:
     case grpc::StatusCode::UNIMPLEMENTED:
+    case grpc::StatusCode::UNAUTHENTICATED:
       return ExitStatus::kInvalid;
     case grpc::StatusCode::DEADLINE_EXCEEDED:
       return ExitStatus::kUndecided;
@@ -54,6 +55,12 @@ std::string violation_lines(const grpc::Status& status) {
 }
 
 }  // namespace
+
+ExitStatus exit_status_of(const planning::v1::PlanMotionResponse& response) {
+  if (response.has_infeasible()) return ExitStatus::kNegative;
+  if (response.has_undecided()) return ExitStatus::kUndecided;
+  return ExitStatus::kDone;
+}
 
 CommandError error_of_call(const grpc::Status& status, const std::string& server) {
   return {exit_status_of(status.error_code()), headline(status, server) + violation_lines(status)};

@@ -16,6 +16,13 @@ namespace {
 
 std::string text_from(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
 
+std::string text_of(const google::protobuf::Message& message, const google::protobuf::util::JsonPrintOptions& options) {
+  std::string text;
+  const auto status = google::protobuf::util::MessageToJsonString(message, &text, options);
+  if (!status.ok()) throw CommandError(ExitStatus::kFailure, "the answer has no JSON form: " + status.ToString());
+  return text;
+}
+
 [[noreturn]] void complain(const std::string& path, const std::string& problem) {
   throw CommandError(ExitStatus::kInvalid, shown_path(path) + ": " + problem);
 }
@@ -63,11 +70,10 @@ std::string json_of(const google::protobuf::Message& message) {
   google::protobuf::util::JsonPrintOptions options;
   options.add_whitespace = true;
   options.always_print_primitive_fields = true;
-  std::string text;
-  const auto status = google::protobuf::util::MessageToJsonString(message, &text, options);
-  if (!status.ok()) throw CommandError(ExitStatus::kFailure, "the answer has no JSON form: " + status.ToString());
-  return text;
+  return text_of(message, options);
 }
+
+std::string json_line_of(const google::protobuf::Message& message) { return text_of(message, {}) + "\n"; }
 
 void write_text(const std::string& path, const std::string& text) {
   std::ofstream stream(path, std::ios::binary);

@@ -30,6 +30,9 @@ bool is_json_of(const std::string& text, google::protobuf::Message& message);
 /// The message as JSON with indentation; fields at their default are printed too. Ends with a newline.
 std::string json_of(const google::protobuf::Message& message);
 
+/// The message as JSON on one line, with its newline; fields at their default are left out.
+std::string json_line_of(const google::protobuf::Message& message);
+
 /// Writes `text` to the file at `path`. Throws CommandError(kFailure) where that fails.
 void write_text(const std::string& path, const std::string& text);
 

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "clients/cpp/batch_command.h"
 #include "clients/cpp/health_command.h"
 #include "clients/cpp/interruption.h"
 #include "clients/cpp/plan_command.h"
@@ -18,16 +19,19 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "dualarm " DUALARM_VERSION);
   app.require_subcommand(1);
   PlanCommand plan;
+  BatchCommand batch;
   VerifyCommand verify;
   PortraitCommand portrait;
   RegionCommand region;
   HealthCommand health;
   CLI::App* plan_app = app.add_subcommand("plan", "plan the fastest verified motion of a request");
+  CLI::App* batch_app = app.add_subcommand("batch", "plan many requests through one stream");
   CLI::App* verify_app = app.add_subcommand("verify", "verify a motion at every instant");
   CLI::App* portrait_app = app.add_subcommand("portrait", "draw the phase plane of one arm and its fastest motion");
   CLI::App* region_app = app.add_subcommand("region", "draw the joint positions at which the two arms collide");
   CLI::App* health_app = app.add_subcommand("health", "ask whether a server is serving");
   plan.add_to(*plan_app);
+  batch.add_to(*batch_app);
   verify.add_to(*verify_app);
   portrait.add_to(*portrait_app);
   region.add_to(*region_app);
@@ -41,6 +45,7 @@ int run(int argc, char** argv) {
   }
   const Interruption interruption;
   if (plan_app->parsed()) return static_cast<int>(plan.run(interruption));
+  if (batch_app->parsed()) return static_cast<int>(batch.run(interruption));
   if (verify_app->parsed()) return static_cast<int>(verify.run(interruption));
   if (portrait_app->parsed()) return static_cast<int>(portrait.run(interruption));
   if (region_app->parsed()) return static_cast<int>(region.run(interruption));

@@ -11,18 +11,13 @@
 #include "clients/cpp/plan_svg.h"
 #include "clients/cpp/plan_table.h"
 #include "clients/cpp/planning_client.h"
+#include "clients/cpp/progress_report.h"
 #include "clients/cpp/standard_output.h"
 
 namespace dualarm {
 namespace {
 
 using namespace planning::v1;
-
-ExitStatus exit_status_of(const PlanMotionResponse& response) {
-  if (response.has_infeasible()) return ExitStatus::kNegative;
-  if (response.has_undecided()) return ExitStatus::kUndecided;
-  return ExitStatus::kDone;
-}
 
 // The error with the name of its file, which errors of reading have already.
 std::string about(const std::string& file, const std::string& error) {
@@ -36,6 +31,7 @@ void PlanCommand::add_to(CLI::App& command) {
   command.add_option("FILE", files, "requests (PlanMotionRequest as JSON, see scenarios/); - is stdin")->required();
   auto* json_flag = command.add_flag("--json", json, "print the answer as JSON and nothing else; one FILE");
   command.add_flag("--table", table, "print one row a FILE")->excludes(json_flag);
+  command.add_flag("--progress", progress, "tell on stderr how far planning has come, and of each better plan");
   command.add_option("--output", output,
                      "also write the answer (PlanMotionResponse as JSON, what --json prints) to this file, for "
                      "'dualarm verify FILE --plan'; one FILE");
@@ -76,7 +72,9 @@ ExitStatus PlanCommand::run(const Interruption& interruption) const {
 ExitStatus PlanCommand::plan_one(const PlanningClient& client, const std::string& file) const {
   PlanMotionRequest request;
   read_json(file, request);
-  const PlanMotionResponse response = client.plan(request);
+  const PlanMotionResponse response =
+      progress ? client.plan(request, [](const auto& event) { std::cerr << progress_line(event) << std::flush; })
+               : client.plan(request);
   if (!output.empty()) write_text(output, json_of(response));
   if (json) {
     print(json_of(response));

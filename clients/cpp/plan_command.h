@@ -22,6 +22,7 @@ struct PlanCommand {
   std::vector<std::string> files;  ///< "-" is stdin
   bool json = false;
   bool table = false;
+  bool progress = false;
   std::string output;      ///< file for the answer as JSON; empty: none
   std::string svg;         ///< file for the drawing; empty: none
   std::string svg_folder;  ///< folder for <file's stem>.svg of every request; empty: none

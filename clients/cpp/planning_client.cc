@@ -1,9 +1,7 @@
 #include "clients/cpp/planning_client.h"
 
 #include <google/protobuf/wrappers.pb.h>
-#include <grpcpp/create_channel.h>
 #include <grpcpp/generic/generic_stub.h>
-#include <grpcpp/security/credentials.h>
 
 #include <chrono>
 #include <future>
@@ -11,22 +9,14 @@
 #include <utility>
 
 #include "clients/cpp/command_error.h"
+#include "clients/cpp/secure_channel.h"
 
 namespace dualarm {
 namespace {
 
 using namespace planning::v1;
 
-constexpr int kConnectTimeoutMilliseconds = 5000;
 constexpr auto kStartTimeout = std::chrono::seconds(5);  // from the first connection to SERVING
-
-std::shared_ptr<grpc::Channel> open_channel(const std::string& address) {
-  grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kConnectTimeoutMilliseconds);
-  arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);  // the address given is the address meant
-  arguments.SetMaxReceiveMessageSize(-1);           // a plan of any length is welcome
-  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
-}
 
 }  // namespace
 
@@ -36,7 +26,8 @@ PlanningClient::PlanningClient(const ConnectionOptions& options, std::stop_token
     local_server_.emplace(stop_);
     server_name_ = "the private dualarm-server";
   }
-  channel_ = open_channel(local_server_ ? local_server_->address() : options.server);
+  token_ = token_for(options);
+  channel_ = open_channel(local_server_ ? local_server_->address() : options.server, options);
   stub_ = PlanningService::NewStub(channel_);
   if (local_server_) wait_until_serving();
 }
@@ -53,11 +44,16 @@ void PlanningClient::wait_until_serving() const {
   }
 }
 
+void PlanningClient::prepare(grpc::ClientContext& context) const {
+  if (!token_.empty()) context.AddMetadata("authorization", "Bearer " + token_);
+  context.set_deadline(std::chrono::system_clock::now() +
+                       std::chrono::microseconds(static_cast<std::int64_t>(1e6 * timeout_s_)));
+}
+
 template <typename Response, typename Send>
 Response PlanningClient::call(Send send) const {
   grpc::ClientContext context;
-  context.set_deadline(std::chrono::system_clock::now() +
-                       std::chrono::microseconds(static_cast<std::int64_t>(1e6 * timeout_s_)));
+  prepare(context);
   const std::stop_callback cancel(stop_, [&context] { context.TryCancel(); });
   Response response;
   const grpc::Status status = send(&context, &response);
@@ -68,6 +64,49 @@ Response PlanningClient::call(Send send) const {
 PlanMotionResponse PlanningClient::plan(const PlanMotionRequest& request) const {
   return call<PlanMotionResponse>(
       [&](auto* context, auto* response) { return stub_->PlanMotion(context, request, response); });
+}
+
+PlanMotionResponse PlanningClient::plan(const PlanMotionRequest& request,
+                                        const std::function<void(const PlanMotionStreamResponse&)>& hear) const {
+  PlanMotionStreamRequest streamed;
+  *streamed.mutable_request() = request;
+  return call<PlanMotionResponse>([&](grpc::ClientContext* context, PlanMotionResponse* response) {
+    const auto stream = stub_->PlanMotionStream(context, streamed);
+    for (PlanMotionStreamResponse event; stream->Read(&event);) {
+      if (event.has_outcome()) {
+        *response = std::move(*event.mutable_outcome());
+      } else {
+        hear(event);
+      }
+    }
+    return stream->Finish();
+  });
+}
+
+void PlanningClient::plan_batch(const std::function<std::optional<PlanMotionBatchRequest>()>& next,
+                                const std::function<void(const PlanMotionBatchResponse&)>& answer) const {
+  grpc::ClientContext context;
+  prepare(context);
+  const std::stop_callback cancel(stop_, [&context] { context.TryCancel(); });
+  const auto stream = stub_->PlanMotionBatch(&context);
+  auto sent = std::async(std::launch::async, [&] {
+    try {
+      for (auto request = next(); request && stream->Write(*request);) request = next();
+      stream->WritesDone();
+    } catch (...) {
+      context.TryCancel();
+      throw;
+    }
+  });
+  try {
+    for (PlanMotionBatchResponse response; stream->Read(&response);) answer(response);
+  } catch (...) {
+    context.TryCancel();  // else the other thread would wait for room that nobody makes
+    throw;
+  }
+  const grpc::Status status = stream->Finish();
+  sent.get();
+  if (!status.ok()) throw error_of_call(status, server_name_);
 }
 
 VerifyMotionResponse PlanningClient::verify(const VerifyMotionRequest& request) const {

@@ -1,6 +1,7 @@
 // Calls of the planning service, each with a deadline, cancelled when a stop is requested.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -20,6 +21,17 @@ class PlanningClient {
   ~PlanningClient();
 
   planning::v1::PlanMotionResponse plan(const planning::v1::PlanMotionRequest& request) const;
+
+  /// The same through PlanMotionStream; `hear` is called with each event but the outcome.
+  planning::v1::PlanMotionResponse plan(
+      const planning::v1::PlanMotionRequest& request,
+      const std::function<void(const planning::v1::PlanMotionStreamResponse&)>& hear) const;
+
+  /// Sends what `next` gives until it gives nothing, on a thread of its own; `answer` is called with each answer as it
+  /// comes. Each request of `next` has been answered when this returns.
+  void plan_batch(const std::function<std::optional<planning::v1::PlanMotionBatchRequest>()>& next,
+                  const std::function<void(const planning::v1::PlanMotionBatchResponse&)>& answer) const;
+
   planning::v1::VerifyMotionResponse verify(const planning::v1::VerifyMotionRequest& request) const;
   planning::v1::GetForbiddenRegionResponse forbidden_region(
       const planning::v1::GetForbiddenRegionRequest& request) const;
@@ -35,6 +47,8 @@ class PlanningClient {
  private:
   void wait_until_serving() const;
 
+  void prepare(grpc::ClientContext& context) const;
+
   /// The answer of `send`(context, response), or its error.
   template <typename Response, typename Send>
   Response call(Send send) const;
@@ -42,6 +56,7 @@ class PlanningClient {
   std::optional<LocalServer> local_server_;
   std::string server_name_;
   double timeout_s_;
+  std::string token_;  // "" for none
   std::stop_token stop_;
   std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<planning::v1::PlanningService::Stub> stub_;

@@ -54,6 +54,8 @@ const std::vector<ForeignLibrary>& foreign_libraries() {
       {"CLI/", {"server/", "clients/"}},
       {"spdlog/", {"server/"}},
       {"fmt/", {"server/", "clients/"}},
+      {"prometheus/", {"server/metrics"}},
+      {"openssl/", {"server/security/"}},
       {"gtest/", {}},
       {"gmock/", {}},
   };

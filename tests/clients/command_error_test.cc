@@ -15,6 +15,7 @@ ExitStatus status_for(grpc::StatusCode code) { return error_of_call({code, "why"
 TEST(ErrorOfCall, EndsWithTheExitStatusOfItsCode) {
   EXPECT_EQ(status_for(grpc::StatusCode::INVALID_ARGUMENT), ExitStatus::kInvalid);
   EXPECT_EQ(status_for(grpc::StatusCode::UNIMPLEMENTED), ExitStatus::kInvalid);
+  EXPECT_EQ(status_for(grpc::StatusCode::UNAUTHENTICATED), ExitStatus::kInvalid);
   EXPECT_EQ(status_for(grpc::StatusCode::DEADLINE_EXCEEDED), ExitStatus::kUndecided);
   EXPECT_EQ(status_for(grpc::StatusCode::UNAVAILABLE), ExitStatus::kUnreachable);
   EXPECT_EQ(status_for(grpc::StatusCode::RESOURCE_EXHAUSTED), ExitStatus::kUnreachable);

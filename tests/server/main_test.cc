@@ -120,22 +120,17 @@ TEST(Server, FinishesARunningSearchWhileItDrains) {
   EXPECT_LT(process.log().find("draining"), process.log().find("PlanMotion OK")) << process.log();
 }
 
-TEST(Server, LogsCallsThatItDoesNotServeAndRegionsThatTakeTooLong) {
+TEST(Server, LogsRegionsThatTakeTooLong) {
   ServerProcess process({"--planning-budget", "0.001"});
   const std::string address = process.wait_for_address();
   ASSERT_NE(address, "") << process.log();
   const auto stub = wire::PlanningService::NewStub(channel_to(address));
-  grpc::ClientContext stream_context;
-  EXPECT_EQ(stub->PlanMotionStream(&stream_context, {})->Finish().error_code(), grpc::StatusCode::UNIMPLEMENTED);
-  EXPECT_THAT(process.log(), HasSubstr("PlanMotionStream UNIMPLEMENTED"));
-
   wire::GetForbiddenRegionRequest request;
   *request.mutable_robot() = paper_request().robot();
   request.set_resolution(2000);
-  grpc::ClientContext region_context;
+  grpc::ClientContext context;
   wire::GetForbiddenRegionResponse region;
-  EXPECT_EQ(stub->GetForbiddenRegion(&region_context, request, &region).error_code(),
-            grpc::StatusCode::DEADLINE_EXCEEDED);
+  EXPECT_EQ(stub->GetForbiddenRegion(&context, request, &region).error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
   EXPECT_THAT(process.log(), HasSubstr("GetForbiddenRegion DEADLINE_EXCEEDED"));
 }
 
@@ -157,7 +152,10 @@ TEST(Server, ExitsWithTwoOnWrongUsageAndTellsItsVersion) {
   EXPECT_THAT(nowhere.log(), HasSubstr("give HOST:PORT with a port of 0 to 65535"));
   ServerProcess version({"--version"});
   EXPECT_EQ(version.wait_for_exit(), 0);
-  EXPECT_THAT(version.log(), HasSubstr("dualarm-server " DUALARM_VERSION));
+  for (const char* part :
+       {"dualarm-server " DUALARM_VERSION " (git ", "compiler gcc ", "grpc 1.", "fcl 0.", "ompl 1."}) {
+    EXPECT_THAT(version.log(), HasSubstr(part));
+  }
 }
 
 TEST(Scenarios, AreSoundRequestsInJson) {

@@ -14,8 +14,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The names that reflection lists, asked for and answered in protobuf's own bytes: list_services = 7 of the request.
-std::string reflected_services(const std::shared_ptr<grpc::Channel>& channel) {
+// What reflection answers to a request, both in protobuf's own bytes; "" where it does not.
+std::string reflected(const std::shared_ptr<grpc::Channel>& channel, const std::string& request) {
   grpc::GenericStub stub(channel);
   grpc::ClientContext context;
   grpc::CompletionQueue queue;
@@ -25,7 +25,7 @@ std::string reflected_services(const std::shared_ptr<grpc::Channel>& channel) {
   bool ok = false;
   const auto step = [&] { return queue.Next(&tag, &ok) && ok; };
   call->StartCall(nullptr);
-  const grpc::Slice ask("\x3a\x01*");
+  const grpc::Slice ask(request);
   grpc::ByteBuffer answer;
   if (!step()) return "";
   call->Write(grpc::ByteBuffer(&ask, 1), nullptr);
@@ -49,7 +49,18 @@ TEST(PlanningServer, ReportsHealthForTheServerAndPerService) {
 
 TEST(PlanningServer, ReflectsItsService) {
   const TestServer server;
-  EXPECT_THAT(reflected_services(server.channel()), HasSubstr("dualarm.planning.v1.PlanningService"));
+  const std::string services = reflected(server.channel(), "\x3a\x01*");  // list_services = 7
+  EXPECT_THAT(services, HasSubstr("dualarm.planning.v1.PlanningService"));
+  EXPECT_THAT(services, HasSubstr("grpc.health.v1.Health"));
+}
+
+TEST(PlanningServer, ReflectsWhatItsServicesSay) {
+  const TestServer server;
+  const auto file_of = [&](const std::string& symbol) {  // file_containing_symbol = 4
+    return reflected(server.channel(), std::string("\x22") + static_cast<char>(symbol.size()) + symbol);
+  };
+  EXPECT_THAT(file_of("dualarm.planning.v1.PlanningService"), HasSubstr("PlanMotionRequest"));
+  EXPECT_THAT(file_of("grpc.health.v1.Health"), HasSubstr("HealthCheckResponse"));
 }
 
 TEST(PlanningServer, RefusesAHundredMegabytesAndGoesOn) {
@@ -80,13 +91,13 @@ grpc::Status answer_to_bytes(const TestServer& server, const std::string& method
 
 TEST(PlanningServer, SaysThatBytesAreNoRequest) {
   const TestServer server;
-  for (const char* method : {"PlanMotion", "VerifyMotion", "GetForbiddenRegion", "GetPhasePortrait"}) {
+  for (const char* method :
+       {"PlanMotion", "PlanMotionStream", "VerifyMotion", "GetForbiddenRegion", "GetPhasePortrait"}) {
     const grpc::Status status = answer_to_bytes(server, method, "\xff\xff\xff");
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << method;
     EXPECT_THAT(status.error_message(), HasSubstr(std::string("is not a dualarm.planning.v1.") + method + "Request"));
   }
   EXPECT_EQ(answer_to_bytes(server, "NoSuchMethod", "").error_code(), grpc::StatusCode::UNIMPLEMENTED);
-  EXPECT_EQ(answer_to_bytes(server, "PlanMotionBatch", "").error_code(), grpc::StatusCode::UNIMPLEMENTED);
 }
 
 TEST(PlanningServer, ListensOnAFreePortAndSaysWhich) {
@@ -132,13 +143,11 @@ TEST(PlanningServer, SpeaksPlaintextToOtherMachinesOnlyWhenTold) {
 TEST(PlanningServer, DrainingFinishesRunningCallsAndRefusesNewOnes) {
   std::promise<void> begun;
   std::promise<void> release;
-  PlanningFunctions functions = quick_functions();
-  functions.plan = [&](const Problem&, const Budget&) {
+  TestServer server(functions_with(quick_planning([&](const auto&...) {
     begun.set_value();
     release.get_future().wait();
-    return Outcome{Undecided{"finished", {}, 0.0, 0.0}, {}};
-  };
-  TestServer server(functions);
+    return undecided("finished");
+  })));
   const auto stub = server.stub();
   wire::PlanMotionResponse response;
   std::future<grpc::Status> running = std::async(std::launch::async, [&] {
@@ -164,13 +173,11 @@ TEST(PlanningServer, DrainingFinishesRunningCallsAndRefusesNewOnes) {
 
 TEST(PlanningServer, DrainingCancelsCallsWhenPatienceEnds) {
   std::promise<void> begun;
-  PlanningFunctions functions = quick_functions();
-  functions.plan = [&](const Problem&, const Budget& budget) {
+  TestServer server(functions_with(quick_planning([&](const Problem&, const Budget& budget, const Observer&) {
     begun.set_value();
     while (!budget.cancelled()) std::this_thread::yield();
-    return Outcome{Undecided{}, {}};
-  };
-  TestServer server(functions);
+    return undecided("");
+  })));
   std::future<grpc::Status> running = std::async(std::launch::async, [&] {
     grpc::ClientContext context;
     wire::PlanMotionResponse response;

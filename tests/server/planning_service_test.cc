@@ -1,14 +1,13 @@
 #include "server/planning_service.h"
 
 #include <gmock/gmock.h>
-#include <grpcpp/support/error_details.h>
 
 #include <atomic>
 #include <future>
 #include <thread>
 
 #include "google/rpc/error_details.pb.h"
-#include "google/rpc/status.pb.h"
+#include "tests/server/error_detail.h"
 #include "tests/server/paper_request.h"
 #include "tests/server/test_server.h"
 
@@ -23,17 +22,6 @@ grpc::Status plan_motion(const TestServer& server, const wire::PlanMotionRequest
   grpc::ClientContext context;
   wire::PlanMotionResponse unused;
   return server.stub()->PlanMotion(&context, request, response == nullptr ? &unused : response);
-}
-
-template <typename Detail>
-Detail detail_of(const grpc::Status& status) {
-  google::rpc::Status rich;
-  Detail detail;
-  if (!grpc::ExtractErrorDetails(status, &rich).ok()) return detail;
-  for (const auto& any : rich.details()) {
-    if (any.UnpackTo(&detail)) break;
-  }
-  return detail;
 }
 
 TEST(PlanningService, AnswersWhatThePlannerAnswers) {
@@ -77,12 +65,10 @@ TEST(PlanningService, AThousandViolationsStillFitIntoTheAnswer) {
 
 TEST(PlanningService, ValidateOnlyPlansNothing) {
   std::atomic<int> planned = 0;
-  PlanningFunctions functions = quick_functions();
-  functions.plan = [&planned](const Problem&, const Budget&) {
+  const TestServer server(functions_with(quick_planning([&planned](const auto&...) {
     ++planned;
-    return Outcome{Undecided{}, {}};
-  };
-  const TestServer server(functions);
+    return undecided("");
+  })));
   wire::PlanMotionRequest request = paper_request();
   request.mutable_options()->set_validate_only(true);
   wire::PlanMotionResponse response;
@@ -171,34 +157,13 @@ TEST(PlanningService, ACallerWhoCancelsStopsTheForbiddenRegion) {
   EXPECT_TRUE(cancelled.get_future().get());
 }
 
-TEST(PlanningService, SaysWhatIsNotServedAndWhatIs) {
-  const TestServer server;
-  grpc::ClientContext stream_context;
-  wire::PlanMotionStreamResponse event;
-  const auto stream = server.stub()->PlanMotionStream(&stream_context, {});
-  EXPECT_FALSE(stream->Read(&event));
-  const grpc::Status no_stream = stream->Finish();
-  EXPECT_EQ(no_stream.error_code(), Code::UNIMPLEMENTED);
-  EXPECT_THAT(no_stream.error_message(), HasSubstr("PlanMotionStream is not served by this version: call PlanMotion"));
-  EXPECT_EQ(detail_of<google::rpc::ErrorInfo>(no_stream).reason(), "NOT_SERVED");
-
-  grpc::ClientContext batch_context;
-  const auto batch = server.stub()->PlanMotionBatch(&batch_context);
-  batch->Write({});
-  const grpc::Status no_batch = batch->Finish();
-  EXPECT_EQ(no_batch.error_code(), Code::UNIMPLEMENTED);
-  EXPECT_THAT(no_batch.error_message(), HasSubstr("call PlanMotion"));
-}
-
 TEST(PlanningService, ABugIsInternalWithAnIdAndTheServerGoesOn) {
   std::atomic<int> calls = 0;
-  PlanningFunctions functions = quick_functions();
-  functions.plan = [&calls](const Problem&, const Budget&) -> Outcome {
+  const TestServer server(functions_with(quick_planning([&calls](const auto&...) {
     if (++calls == 1) throw std::logic_error("secret of the house");
     if (calls == 2) throw 42;
-    return {Undecided{}, {}};
-  };
-  const TestServer server(functions);
+    return undecided("");
+  })));
   for (int i = 0; i < 2; ++i) {
     const grpc::Status status = plan_motion(server, paper_request());
     EXPECT_EQ(status.error_code(), Code::INTERNAL);
@@ -217,14 +182,12 @@ struct EndlessPlanning {
   std::promise<bool> cancelled;
 
   PlanningFunctions functions() {
-    PlanningFunctions functions = quick_functions();
-    functions.plan = [this](const Problem&, const Budget& budget) {
+    return functions_with(quick_planning([this](const Problem&, const Budget& budget, const Observer&) {
       begun.set_value();
       while (!budget.exhausted()) std::this_thread::yield();
       cancelled.set_value(budget.cancelled());
-      return Outcome{Undecided{"budget spent", {}, 0.0, 0.0}, {}};
-    };
-    return functions;
+      return undecided("budget spent");
+    }));
   }
 };
 

@@ -20,23 +20,6 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-PlanningFunctions quick_functions() {
-  return {[](const Problem&, const Budget&) {
-            return Outcome{Undecided{"quick", {"nothing"}, 0.0, 0.0}, {}};
-          },
-          [](const Problem&, const Trajectory&, const Budget&, bool) {
-            Verification verification;
-            verification.collision_free = true;
-            return verification;
-          },
-          [](const Problem&, int, const Budget&) {
-            return std::vector<Contour>{{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-          },
-          [](const Problem&, int, int, const Budget&) {
-            return ArmPortrait{{}, Undecided{"quick", {}, 0.0, 0.0}};
-          }};
-}
-
 ServerOptions listening_on(const std::string& address) {
   ServerOptions options;
   options.listen = address;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "server/planning_server.h"
+#include "tests/server/fake_planning.h"
 
 namespace dualarm {
 
@@ -22,10 +23,6 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
-
-/// Functions that answer at once: an Undecided, a Verification without violations, one contour, a portrait
-/// without curves.
-PlanningFunctions quick_functions();
 
 /// Default options but for the address, or for a planning budget that only a failing test uses up.
 ServerOptions listening_on(const std::string& address);

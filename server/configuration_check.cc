@@ -1,0 +1,51 @@
+#include "server/configuration_check.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "server/listen_address.h"
+#include "server/replay_folder.h"
+#include "server/security/security.h"
+
+namespace dualarm {
+namespace {
+
+std::vector<std::string> about_exposure(const ServerOptions& options) {
+  if (!options.tls_cert.empty() || is_local_address(options.listen)) return {};
+  if (!options.token_file.empty()) {
+    return {
+        fmt::format("tokens on {} could be read by others on the way: give --tls-cert and --tls-key, or listen on "
+                    "127.0.0.1",
+                    options.listen)};
+  }
+  if (options.allow_insecure_remote) return {};
+  return {
+      fmt::format("{} can be reached from other machines, and without --tls-cert this server speaks plaintext: "
+                  "listen on 127.0.0.1, or say --allow-insecure-remote where something else protects it",
+                  options.listen)};
+}
+
+}  // namespace
+
+std::vector<std::string> complaints_about(const ServerOptions& options) {
+  std::vector<std::string> complaints;
+  const std::string about_address = complaint_about_address(options.listen);
+  if (about_address.empty()) {
+    complaints = about_exposure(options);
+  } else {
+    complaints.push_back(about_address);
+  }
+  try {
+    const Security security(options);
+  } catch (const std::runtime_error& error) {
+    complaints.push_back(error.what());
+  }
+  if (!options.replay_dir.empty()) {
+    const std::string complaint = complaint_about_folder(options.replay_dir);
+    if (!complaint.empty()) complaints.push_back(complaint);
+  }
+  return complaints;
+}
+
+}  // namespace dualarm

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/arm_portrait.h"
+#include "core/coordination/region.h"
+#include "core/observer.h"
+#include "core/plan.h"
+
+namespace dualarm {
+
+/// One planning run in the two steps of core/planner.h, whose PlanningRun it stands for.
+class PlanningSteps {
+ public:
+  virtual ~PlanningSteps() = default;
+
+  /// Nothing where only the search can decide.
+  virtual std::optional<Outcome> quick() = 0;
+
+  /// After quick() gave nothing; perhaps later and on another thread.
+  virtual Outcome search() = 0;
+};
+
+/// What the service calls: PlanningRun, verify, forbidden_region and arm_portrait of core; tests put others in their
+/// place. Problem, budget and observer outlive the steps.
+struct PlanningFunctions {
+  std::function<std::unique_ptr<PlanningSteps>(const Problem&, const Budget&, const Observer&)> begin_planning;
+  std::function<Verification(const Problem&, const Trajectory&, const Budget&, bool check_end_states)> verify;
+  std::function<std::optional<std::vector<Contour>>(const Problem&, int resolution, const Budget&)> forbidden_region;
+  std::function<std::optional<ArmPortrait>(const Problem&, int arm, int resolution, const Budget&)> arm_portrait;
+};
+
+/// Those of core.
+PlanningFunctions core_functions();
+
+}  // namespace dualarm

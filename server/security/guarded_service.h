@@ -1,0 +1,34 @@
+#pragma once
+
+#include "server/planning_service.h"
+#include "server/security/admission.h"
+
+namespace dualarm {
+
+/// The planning service behind its door: every RPC asks the admission, and goes on only where it said OK to the call.
+class GuardedService final : public PlanningMethods {
+ public:
+  /// Both must outlive this.
+  GuardedService(PlanningMethods& behind, const Admission& admission) : behind_(behind), admission_(admission) {}
+
+  grpc::ServerUnaryReactor* PlanMotion(grpc::CallbackServerContext* context, const wire::PlanMotionRequest* request,
+                                       wire::PlanMotionResponse* response) override;
+  grpc::ServerUnaryReactor* VerifyMotion(grpc::CallbackServerContext* context, const wire::VerifyMotionRequest* request,
+                                         wire::VerifyMotionResponse* response) override;
+  grpc::ServerUnaryReactor* GetForbiddenRegion(grpc::CallbackServerContext* context,
+                                               const wire::GetForbiddenRegionRequest* request,
+                                               wire::GetForbiddenRegionResponse* response) override;
+  grpc::ServerUnaryReactor* GetPhasePortrait(grpc::CallbackServerContext* context,
+                                             const wire::GetPhasePortraitRequest* request,
+                                             wire::GetPhasePortraitResponse* response) override;
+  grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanMotionStream(
+      grpc::CallbackServerContext* context, const wire::PlanMotionStreamRequest* request) override;
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* PlanMotionBatch(
+      grpc::CallbackServerContext* context) override;
+
+ private:
+  PlanningMethods& behind_;
+  const Admission& admission_;
+};
+
+}  // namespace dualarm

@@ -1,0 +1,15 @@
+#include "server/worker_pools.h"
+
+namespace dualarm {
+namespace {
+
+constexpr int kDrawingThreads = 1;
+
+}  // namespace
+
+WorkerPools::WorkerPools(const ServerOptions& options)
+    : quick({options.worker_threads, options.queue_capacity, 0}),
+      search({options.search_threads, options.search_queue, options.niceness}),
+      drawings({kDrawingThreads, options.queue_capacity, options.niceness}) {}
+
+}  // namespace dualarm

@@ -1,0 +1,68 @@
+#include "tests/server/fake_planning.h"
+
+#include <utility>
+
+namespace dualarm {
+namespace {
+
+class FakeSteps final : public PlanningSteps {
+ public:
+  FakeSteps(std::function<Outcome()> planning, bool searches) : planning_(std::move(planning)), searches_(searches) {}
+
+  std::optional<Outcome> quick() override {
+    if (searches_) return std::nullopt;
+    return planning_();
+  }
+  Outcome search() override { return planning_(); }
+
+ private:
+  std::function<Outcome()> planning_;
+  bool searches_;
+};
+
+BeginPlanning steps_of(FakePlanning planning, bool searches) {
+  return [planning, searches](const Problem& problem, const Budget& budget, const Observer& observer) {
+    return std::make_unique<FakeSteps>(
+        [planning, &problem, &budget, &observer] { return planning(problem, budget, observer); }, searches);
+  };
+}
+
+}  // namespace
+
+BeginPlanning quick_planning(FakePlanning planning) { return steps_of(std::move(planning), false); }
+
+BeginPlanning search_planning(FakePlanning planning) { return steps_of(std::move(planning), true); }
+
+PlanningFunctions quick_functions() {
+  return {quick_planning([](const Problem&, const Budget&, const Observer&) {
+            return Outcome{Undecided{"quick", {"nothing"}, 0.0, 0.0}, {}};
+          }),
+          [](const Problem&, const Trajectory&, const Budget&, bool) {
+            Verification verification;
+            verification.collision_free = true;
+            return verification;
+          },
+          [](const Problem&, int, const Budget&) {
+            return std::vector<Contour>{{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+          },
+          [](const Problem&, int, int, const Budget&) {
+            return ArmPortrait{{}, Undecided{"quick", {}, 0.0, 0.0}};
+          }};
+}
+
+PlanningFunctions functions_with(BeginPlanning planning) {
+  PlanningFunctions functions = quick_functions();
+  functions.begin_planning = std::move(planning);
+  return functions;
+}
+
+Outcome undecided(std::string explanation) { return {Undecided{std::move(explanation), {}, 0.0, 0.0}, {}}; }
+
+Plan plan_of(double duration) {
+  Plan plan;
+  plan.duration = duration;
+  plan.method = Method::kStateTime;
+  return plan;
+}
+
+}  // namespace dualarm

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+
+#include "server/planning_functions.h"
+
+namespace dualarm {
+
+/// Stand-ins for PlanningFunctions::begin_planning.
+using FakePlanning = std::function<Outcome(const Problem&, const Budget&, const Observer&)>;
+using BeginPlanning = decltype(PlanningFunctions::begin_planning);
+
+/// quick() answers by `planning`.
+BeginPlanning quick_planning(FakePlanning planning);
+
+/// quick() gives nothing, search() answers by `planning`.
+BeginPlanning search_planning(FakePlanning planning);
+
+/// Functions that answer at once: an Undecided, a Verification without violations, one contour, a portrait without
+/// curves.
+PlanningFunctions quick_functions();
+
+/// The same, with this planning.
+PlanningFunctions functions_with(BeginPlanning planning);
+
+/// An outcome to be recognised by its explanation.
+Outcome undecided(std::string explanation);
+
+/// A plan of this duration (s) and nothing else.
+Plan plan_of(double duration);
+
+}  // namespace dualarm
