@@ -48,7 +48,7 @@ void check_address(const ServerOptions& options) {
 }  // namespace
 
 PlanningServer::PlanningServer(const ServerOptions& options, PlanningFunctions functions)
-    : pools_(options), service_(std::move(functions), pools_, limits_of(options)) {
+    : service_(std::move(functions), pools_, limits_of(options)), pools_(options) {
   check_address(options);
   keep_grpc_up();
   grpc::EnableDefaultHealthCheckService(true);

@@ -35,8 +35,9 @@ class PlanningServer {
   void drain(std::chrono::nanoseconds patience);
 
  private:
-  WorkerPools pools_;  // before the service and the server: calls run on them until the server has shut down
   PlanningService service_;
+  WorkerPools pools_;  // before the server: calls run on them until it has shut down; after the service, whose
+                       // functions their threads use to the last
   int port_ = 0;
   std::string address_;
   std::unique_ptr<grpc::Server> server_;
