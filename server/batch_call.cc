@@ -12,20 +12,6 @@
 namespace dualarm {
 namespace {
 
-template <typename Message>
-bool deserialize(grpc::ByteBuffer& bytes, Message& message) {
-  return grpc::SerializationTraits<Message>::Deserialize(&bytes, &message).ok();
-}
-
-template <typename Message>
-grpc::ByteBuffer serialize(const Message& message) {
-  grpc::ByteBuffer bytes;
-  bool owns = false;
-  const grpc::Status status = grpc::SerializationTraits<Message>::Serialize(message, &bytes, &owns);
-  if (!status.ok()) throw std::logic_error("an answer that cannot be serialised: " + status.error_message());
-  return bytes;
-}
-
 // As PlanMotion would have sent it; the details were made by errors.cc and parse.
 google::rpc::Status error_message(const grpc::Status& status) {
   google::rpc::Status error;
@@ -57,7 +43,7 @@ class BatchCall::Item {
     } else {
       *response.mutable_error() = error_message(answer.status);
     }
-    call_.answer(response, answer);
+    call_.send(std::move(response), answer);
   }
 
  private:
@@ -67,8 +53,8 @@ class BatchCall::Item {
   PlanningTask task_;
 };
 
-grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* BatchCall::start(
-    const Planner& planner, Places& places, int in_flight, const grpc::CallbackServerContext& context) {
+BatchReactor* BatchCall::start(const Planner& planner, Places& places, int in_flight,
+                               const grpc::CallbackServerContext& context) {
   auto* call = new BatchCall(planner, places, in_flight, context);  // deleted by OnDone
   if (call->place_) {
     call->go_on();
@@ -99,7 +85,8 @@ void BatchCall::take_up() {
     ++in_flight_;
   }
   wire::PlanMotionBatchRequest request;
-  const bool is_message = deserialize(incoming_, request);
+  const bool is_message =
+      grpc::SerializationTraits<wire::PlanMotionBatchRequest>::Deserialize(&incoming_, &request).ok();
   incoming_.Clear();
   auto* item = new Item(*this, std::move(request));  // deletes itself
   if (!is_message) {
@@ -111,8 +98,7 @@ void BatchCall::take_up() {
   }
 }
 
-void BatchCall::answer(const wire::PlanMotionBatchResponse& response, const Answer& answer) {
-  grpc::ByteBuffer bytes = serialize(response);
+void BatchCall::send(wire::PlanMotionBatchResponse response, const Answer& answer) {
   {
     const std::lock_guard lock(mutex_);
     ++answered_count_;
@@ -121,7 +107,7 @@ void BatchCall::answer(const wire::PlanMotionBatchResponse& response, const Answ
     if (is_broken_) {
       --in_flight_;
     } else {
-      unsent_.push_back(std::move(bytes));
+      unsent_.push_back(std::move(response));
     }
   }
   go_on();  // the call may be gone from here on

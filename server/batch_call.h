@@ -1,8 +1,5 @@
 #pragma once
 
-#include <grpcpp/support/byte_buffer.h>
-#include <grpcpp/support/server_callback.h>
-
 #include <cstdint>
 #include <deque>
 #include <mutex>
@@ -10,6 +7,7 @@
 #include "server/answer.h"
 #include "server/caller.h"
 #include "server/places.h"
+#include "server/planning_methods.h"
 #include "server/planning_task.h"
 #include "server/request_ids.h"
 
@@ -17,14 +15,12 @@ namespace dualarm {
 
 /// One call of PlanMotionBatch. A request is in flight from when it is read until its answer is handed to the network.
 /// The next one is read only while fewer than a limit are in flight: a reader who is slow to take answers stops the
-/// reading and the computing. Messages are parsed and rendered here and not by gRPC, which would end the stream at the
-/// first one that is malformed.
-class BatchCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
+/// reading and the computing.
+class BatchCall final : public BatchReactor {
  public:
   /// The reactor owns itself. in_flight >= 1.
-  static grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* start(const Planner& planner, Places& places,
-                                                                            int in_flight,
-                                                                            const grpc::CallbackServerContext& context);
+  static BatchReactor* start(const Planner& planner, Places& places, int in_flight,
+                             const grpc::CallbackServerContext& context);
 
  private:
   /// One request of the stream; deletes itself when it is answered.
@@ -39,7 +35,7 @@ class BatchCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::B
 
   /// Takes up the request that was read.
   void take_up();
-  void answer(const wire::PlanMotionBatchResponse& response, const Answer& answer);
+  void send(wire::PlanMotionBatchResponse response, const Answer& answer);
 
   /// Reads, writes or ends the call, whatever is possible now.
   void go_on();
@@ -56,8 +52,8 @@ class BatchCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::B
 
   std::mutex mutex_;  // of everything below
   int in_flight_ = 0;
-  std::deque<grpc::ByteBuffer> unsent_;
-  grpc::ByteBuffer outgoing_;  // being written
+  std::deque<wire::PlanMotionBatchResponse> unsent_;
+  wire::PlanMotionBatchResponse outgoing_;  // being written
   bool is_reading_ = false;
   bool is_writing_ = false;
   bool is_read_to_the_end_ = false;

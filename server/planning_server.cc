@@ -79,8 +79,8 @@ void watch(Metrics& metrics, const WorkerPools& pools) {
 PlanningServer::PlanningServer(const ServerOptions& options, PlanningFunctions functions)
     : log_(checked(options).log_format == "json"),
       security_(options),
-      pools_(options),
       service_(std::move(functions), pools_, limits_of(options)),
+      pools_(options),
       guarded_(service_, security_.admission()) {
   if (!options.replay_dir.empty()) keep_bugs_in(options.replay_dir, options.replay_limit);
   keep_grpc_up();

@@ -59,8 +59,9 @@ class PlanningServer {
   CallLog log_;  // this and the metrics: calls report to them until the server has shut down
   Metrics metrics_;
   Security security_;
-  WorkerPools pools_;  // before the service and the server: calls run on them until the server has shut down
   PlanningService service_;
+  WorkerPools pools_;  // before the server: calls run on them until it has shut down; after the service, whose
+                       // functions their threads use to the last
   GuardedService guarded_;
   int port_ = 0;
   std::string address_;

@@ -42,8 +42,7 @@ grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanningService::PlanM
   return StreamCall::start(planner_, ticker_, streams_, *context, *request);
 }
 
-grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* PlanningService::PlanMotionBatch(
-    grpc::CallbackServerContext* context) {
+BatchReactor* PlanningService::PlanMotionBatch(grpc::CallbackServerContext* context) {
   return BatchCall::start(planner_, streams_, batch_in_flight_, *context);
 }
 

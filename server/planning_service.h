@@ -2,23 +2,15 @@
 
 #include <chrono>
 
-#include "dualarm/planning/v1/planning_service.grpc.pb.h"
 #include "server/places.h"
 #include "server/planning_functions.h"
+#include "server/planning_methods.h"
 #include "server/planning_task.h"
 #include "server/ticker.h"
 #include "server/wire.h"
 #include "server/worker_pools.h"
 
 namespace dualarm {
-
-/// The methods of the wire, all by gRPC's callback API. PlanMotionBatch parses its messages itself: see batch_call.h.
-using PlanningMethods =
-    wire::PlanningService::WithCallbackMethod_PlanMotion<wire::PlanningService::WithCallbackMethod_PlanMotionStream<
-        wire::PlanningService::WithRawCallbackMethod_PlanMotionBatch<
-            wire::PlanningService::WithCallbackMethod_VerifyMotion<
-                wire::PlanningService::WithCallbackMethod_GetForbiddenRegion<
-                    wire::PlanningService::WithCallbackMethod_GetPhasePortrait<wire::PlanningService::Service>>>>>>;
 
 /// What one server allows its callers.
 struct ServiceLimits {
@@ -38,8 +30,7 @@ class PlanningService final : public PlanningMethods {
                                        wire::PlanMotionResponse* response) override;
   grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanMotionStream(
       grpc::CallbackServerContext* context, const wire::PlanMotionStreamRequest* request) override;
-  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* PlanMotionBatch(
-      grpc::CallbackServerContext* context) override;
+  BatchReactor* PlanMotionBatch(grpc::CallbackServerContext* context) override;
   grpc::ServerUnaryReactor* VerifyMotion(grpc::CallbackServerContext* context, const wire::VerifyMotionRequest* request,
                                          wire::VerifyMotionResponse* response) override;
   grpc::ServerUnaryReactor* GetForbiddenRegion(grpc::CallbackServerContext* context,

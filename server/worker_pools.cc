@@ -8,8 +8,8 @@ constexpr int kDrawingThreads = 1;
 }  // namespace
 
 WorkerPools::WorkerPools(const ServerOptions& options)
-    : quick({options.worker_threads, options.queue_capacity, 0}),
-      search({options.search_threads, options.search_queue, options.niceness}),
-      drawings({kDrawingThreads, options.queue_capacity, options.niceness}) {}
+    : search({options.search_threads, options.search_queue, options.niceness}),
+      drawings({kDrawingThreads, options.queue_capacity, options.niceness}),
+      quick({options.worker_threads, options.queue_capacity, 0}) {}
 
 }  // namespace dualarm

@@ -10,9 +10,9 @@ namespace dualarm {
 struct WorkerPools {
   explicit WorkerPools(const ServerOptions& options);
 
-  WorkerPool quick;     ///< milliseconds: analytic plans, verification
   WorkerPool search;    ///< seconds: what only the search can plan
   WorkerPool drawings;  ///< regions and portraits: milliseconds as a rule, seconds where a fine one is asked for
+  WorkerPool quick;     ///< milliseconds: analytic plans, verification; last, because it hands over to the search
 };
 
 }  // namespace dualarm

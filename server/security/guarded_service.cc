@@ -53,10 +53,8 @@ grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* GuardedService::PlanMo
       admission_, context, [&] { return behind_.PlanMotionStream(context, request); });
 }
 
-grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* GuardedService::PlanMotionBatch(
-    grpc::CallbackServerContext* context) {
-  return guard<grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>>(
-      admission_, context, [&] { return behind_.PlanMotionBatch(context); });
+BatchReactor* GuardedService::PlanMotionBatch(grpc::CallbackServerContext* context) {
+  return guard<BatchReactor>(admission_, context, [&] { return behind_.PlanMotionBatch(context); });
 }
 
 }  // namespace dualarm

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "server/planning_service.h"
+#include "server/planning_methods.h"
 #include "server/security/admission.h"
+#include "server/wire.h"
 
 namespace dualarm {
 
@@ -23,8 +24,7 @@ class GuardedService final : public PlanningMethods {
                                              wire::GetPhasePortraitResponse* response) override;
   grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanMotionStream(
       grpc::CallbackServerContext* context, const wire::PlanMotionStreamRequest* request) override;
-  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* PlanMotionBatch(
-      grpc::CallbackServerContext* context) override;
+  BatchReactor* PlanMotionBatch(grpc::CallbackServerContext* context) override;
 
  private:
   PlanningMethods& behind_;

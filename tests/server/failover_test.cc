@@ -62,7 +62,8 @@ TEST_P(Failover, LosesNoRequestWhenOneOfTwoServersGoes) {
   callers.clear();
   EXPECT_TRUE(both_were_busy);
   EXPECT_EQ(answered, kCallers * kCallsOfEach);
-  EXPECT_TRUE(lost.empty()) << lost.size() << " of " << answered << " lost, the first: " << lost.front();
+  EXPECT_TRUE(lost.empty()) << lost.size() << " of " << answered << " lost, the first: " << lost.front() << "\n"
+                            << servers[0].log().substr(servers[0].log().find("draining"));
   EXPECT_EQ(servers[0].wait_for_exit(), GetParam() == SIGKILL ? -1 : 0);
 }
 

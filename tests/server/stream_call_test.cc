@@ -189,7 +189,8 @@ TEST(StreamCall, WhateverTheMomentOfTheCancelThereIsOneOutcomeOrNone) {
   for (int i = 0; i < 300; ++i) {
     grpc::ClientContext context;
     const auto reader = stub->PlanMotionStream(&context, stream_request());
-    std::thread canceller([&context, wait = std::chrono::microseconds(random() % 2000)] {
+    std::thread canceller([&context, i, wait = std::chrono::microseconds(1 << random() % 15)] {
+      if (i % 10 == 0) return;
       std::this_thread::sleep_for(wait);
       context.TryCancel();
     });
@@ -202,7 +203,7 @@ TEST(StreamCall, WhateverTheMomentOfTheCancelThereIsOneOutcomeOrNone) {
       EXPECT_TRUE(heard.events.back().has_outcome());
     }
   }
-  EXPECT_GT(finished, 0);
+  EXPECT_GE(finished, 30);
   EXPECT_LT(finished, 300);
 }
 

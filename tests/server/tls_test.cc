@@ -3,8 +3,8 @@
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/credentials.h>
 
+#include <atomic>
 #include <future>
-#include <utility>
 
 #include "tests/server/error_detail.h"
 #include "tests/server/paper_request.h"
@@ -170,9 +170,10 @@ TEST_F(Tls, HealthIsOpenToAll) {
 TEST_F(Tls, LimitsTheCallsOfATokenAtOnce) {
   options_.token_file = path("tokens");
   std::promise<void> begun, release;
+  std::atomic<int> plans = 0;
   const PlanningFunctions functions =
-      functions_with(quick_planning([&, first = true](const Problem&, const Budget&, const Observer&) mutable {
-        if (std::exchange(first, false)) {
+      functions_with(quick_planning([&](const Problem&, const Budget&, const Observer&) {
+        if (++plans == 1) {
           begun.set_value();
           release.get_future().wait();
         }
