@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "core/certify.h"
-#include "core/goal_visit.h"
+#include "core/object_visit.h"
 #include "core/passage/passage_plan.h"
 #include "core/passage/proof.h"
+#include "core/passage/traffic_proof.h"
 #include "core/phase_plane/time_optimal.h"
 #include "core/proven_plan.h"
 #include "core/refusal.h"
@@ -21,10 +22,13 @@ namespace {
 
 /// Part of the time left that the search for an arm's fastest motion may take: what is found has to be put together.
 constexpr double kFastestMotionShare = 0.5;
+/// s. How long plans may be for bounds to be sought where no plan is known: how far an arm gets in so long a time is
+/// limited by its joint range.
+constexpr double kMostWaiting = 1e4;
 
 class AnalyticPlanner {
  public:
-  AnalyticPlanner(const PreparedProblem& prepared, const Budget& budget, Findings& findings)
+  AnalyticPlanner(const PreparedProblem& prepared, const PlanningBudget& budget, Findings& findings)
       : prepared_(prepared), problem_(prepared.problem()), budget_(budget), findings_(findings) {}
 
   std::optional<Decision> decision() {
@@ -46,11 +50,12 @@ class AnalyticPlanner {
   std::optional<Decision> move_alone(int arm) {
     const Task& task = problem_.tasks[arm];
     const SingleJointArm& system = prepared_.system(arm);
-    auto motion = fastest_motion(system, task.start, task.goal, Swings::kSearch, budget_.part(kFastestMotionShare));
+    auto motion =
+        fastest_motion(system, task.start, task.goal, Swings::kSearch, budget_.methods.part(kFastestMotionShare));
     double& bound = findings_.bounds.fastest;
     if (const auto* blocked = std::get_if<Blocked>(&motion)) {
       const Infeasible refusal =
-          refuse_blocked(prepared_.arm(arm), task, system, prepared_.free_range(arm), *blocked, budget_);
+          refuse_blocked(prepared_.arm(arm), task, system, prepared_.free_range(arm), *blocked, budget_.methods);
       if (blocked->is_proven) return refusal;
       findings_.tried.push_back(refusal.explanation +
                                 (blocked->is_searched_out
@@ -76,8 +81,25 @@ class AnalyticPlanner {
     if (!planned) return std::nullopt;
     if (std::isinf(planned->until)) return refuse_goal_visit(problem_, *planned, prepared_.margin());
     findings_.bounds.planned_visit = planned->until;
-    findings_.bounds.visit = last_goal_visit(problem_, problem_.options.clearance);
+    if (const auto visit = last_goal_visit(problem_, problem_.options.clearance)) {
+      findings_.bounds.visit = VisitBound{visit->until, *visit};
+    }
     return std::nullopt;
+  }
+
+  /// Moving objects may be in an arm's way. `known` (s) is the duration of a plan, infinite where there is none.
+  void bound_by_traffic(double known) {
+    KnownBounds& bounds = findings_.bounds;
+    if (!prepared_.has_moving_objects() || known <= std::max(bounds.of_every_plan(), bounds.planned_visit)) return;
+    const double longest = std::min(known, kMostWaiting);
+    const auto proof = [&](double clearance, double floor) {
+      return traffic_proof(problem_, clearance, floor, longest, budget_.methods);
+    };
+    const double demanded = problem_.options.clearance;
+    if (const auto found = proof(demanded, bounds.of_every_plan())) {
+      bounds.visit = {found->duration, visit_until(problem_, found->arm, found->position, demanded, found->until)};
+    }
+    if (const auto found = proof(prepared_.clearance(), bounds.planned_visit)) bounds.planned_visit = found->duration;
   }
 
   void bound_by_monotone_motions() {
@@ -97,6 +119,7 @@ class AnalyticPlanner {
     findings_.safe_delays = choice.safe_delays;
     if (!choice.times) findings_.tried.push_back(choice.why_not);
     const double known = choice.times ? choice.times->duration : std::numeric_limits<double>::infinity();
+    bound_by_traffic(known);
     const double longest = std::max(slower_duration(), findings_.bounds.planned_visit);
     if (known > longest * (1.0 + kAtBound)) bound_by_passage();
     if (is_parted_) return refuse_parted(problem_);
@@ -127,7 +150,7 @@ class AnalyticPlanner {
   }
 
   StartChoice starts_of(const Profile& first, const Profile& second) const {
-    return choose_starts(problem_, prepared_.forbidden(), prepared_.clearance(), first, second, budget_);
+    return choose_starts(problem_, prepared_.forbidden(), prepared_.clearance(), first, second, budget_.methods);
   }
 
   /// Delays are the simplest motions through a passage.
@@ -142,19 +165,20 @@ class AnalyticPlanner {
     findings_.begin("passage");
     travellers_.emplace(Travellers{traveller(0), traveller(1)});
     const Problem planned = prepared_.within_free_ranges_at(prepared_.clearance());
-    passage_ = passage_bound(ForbiddenPlane(planned, prepared_.clearance()), *travellers_, budget_);
+    passage_ = passage_bound(ForbiddenPlane(planned, prepared_.clearance()), *travellers_, budget_.methods);
     findings_.bounds.planned = proof_of(passage_, planned);
     const double demanded = problem_.options.clearance;
     const Problem free = prepared_.within_free_ranges_at(demanded);
     is_parted_ = std::isinf(passage_.duration) &&
-                 std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget_).duration);
+                 std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget_.methods).duration);
     if (std::isfinite(passage_.duration)) {
-      findings_.bounds.demanded = passage_proof(free, demanded, passage_.duration, budget_, passage_.ways);
+      findings_.bounds.demanded = passage_proof(free, demanded, passage_.duration, budget_.methods, passage_.ways);
     }
   }
 
   Traveller traveller(int arm) const {
-    return {&prepared_.system(arm), problem_.tasks[arm].start, problem_.tasks[arm].goal, fastest_[arm].profile};
+    return {&prepared_.system(arm), problem_.tasks[arm].start, problem_.tasks[arm].goal,
+            fastest_[arm].profile.asked_often()};
   }
 
   /// The fastest motions found through a passage, if they take less than `known` (s). Theory, section 4.
@@ -169,7 +193,7 @@ class AnalyticPlanner {
     std::optional<PassagePlan> best;
     for (const Way& way : passage_.ways) {
       auto found = passage_plan(prepared_.forbidden(), *travellers_, way, least, known,
-                                problem_.options.max_start_delay, budget_);
+                                problem_.options.max_start_delay, budget_.methods);
       if (!found || !gives_way_to_objects(*found, known)) continue;
       best = std::move(found);
       known = best->times.duration;
@@ -191,7 +215,7 @@ class AnalyticPlanner {
   std::optional<Plan> pass_extremally() {
     const auto extremal =
         extremal_plan(*travellers_, passage_.ways.front(), slower_duration(), problem_.options.max_start_delay);
-    if (!extremal || prepared_.has_moving_objects() || budget_.exhausted()) return std::nullopt;
+    if (!extremal || prepared_.has_moving_objects() || budget_.methods.exhausted()) return std::nullopt;
     const std::size_t tried = findings_.tried.size();
     if (auto found = verified(Method::kPassage, *extremal)) return found;
     findings_.tried.resize(tried);
@@ -201,12 +225,12 @@ class AnalyticPlanner {
   std::optional<Plan> verified(Method method, const PassagePlan& plan) {
     const Schedule schedule = {std::vector{TimedProfile{plan.times.first, plan.motions[0]}},
                                {TimedProfile{plan.times.second, plan.motions[1]}}};
-    return proven_plan(prepared_, method, plan.times.duration, schedule, budget_, findings_);
+    return proven_plan(prepared_, method, plan.times.duration, schedule, budget_.proof, findings_);
   }
 
   const PreparedProblem& prepared_;
   const Problem& problem_;
-  const Budget& budget_;
+  const PlanningBudget& budget_;
   Findings& findings_;
   std::vector<FastestMotion> fastest_;
   std::optional<Travellers> travellers_;
@@ -216,7 +240,8 @@ class AnalyticPlanner {
 
 }  // namespace
 
-std::optional<Decision> plan_analytically(const PreparedProblem& prepared, const Budget& budget, Findings& findings) {
+std::optional<Decision> plan_analytically(const PreparedProblem& prepared, const PlanningBudget& budget,
+                                          Findings& findings) {
   return AnalyticPlanner(prepared, budget, findings).decision();
 }
 

@@ -12,11 +12,11 @@ Certificate certify(double duration, const KnownBounds& known) {
     certificate.source = LowerBoundSource::kPassage;
     certificate.gate = known.demanded.gate;
   }
-  if (known.visit && known.visit->until > certificate.lower_bound) {
-    certificate.lower_bound = known.visit->until;
+  if (known.visit && known.visit->duration > certificate.lower_bound) {
+    certificate.lower_bound = known.visit->duration;
     certificate.source = LowerBoundSource::kMovingObject;
     certificate.gate.reset();
-    certificate.visit = known.visit;
+    certificate.visit = known.visit->visit;
   }
   certificate.gap = duration > 0.0 ? std::max(0.0, duration / certificate.lower_bound - 1.0) : 0.0;
   const double of_planned = std::max({certificate.lower_bound, known.planned.duration, known.planned_visit});

@@ -4,7 +4,9 @@
 
 namespace dualarm {
 
-double KnownBounds::of_every_plan() const { return std::max({fastest, demanded.duration, visit ? visit->until : 0.0}); }
+double KnownBounds::of_every_plan() const {
+  return std::max({fastest, demanded.duration, visit ? visit->duration : 0.0});
+}
 
 void Findings::begin(std::string_view phase) {
   phase_ = phase;

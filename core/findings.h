@@ -11,14 +11,20 @@
 
 namespace dualarm {
 
+/// What a moving object demands of every plan.
+struct VisitBound {
+  double duration = 0.0;  ///< s, at least the end of the visit
+  ObjectVisit visit;
+};
+
 /// What is known of the durations of all plans of a problem, s.
 struct KnownBounds {
-  double fastest = 0.0;            ///< each arm's fastest motion on its own
-  double monotone = 0.0;           ///< pairs of motions that never turn back; 0 if not known
-  PassageProof demanded;           ///< the passage bound at the demanded clearance
-  PassageProof planned;            ///< and at that which plans are made with
-  std::optional<GoalVisit> visit;  ///< the last of moving objects to a goal, at the demanded clearance
-  double planned_visit = 0.0;      ///< its end at that which plans are made with
+  double fastest = 0.0;             ///< each arm's fastest motion on its own
+  double monotone = 0.0;            ///< pairs of motions that never turn back; 0 if not known
+  PassageProof demanded;            ///< the passage bound at the demanded clearance
+  PassageProof planned;             ///< and at that which plans are made with
+  std::optional<VisitBound> visit;  ///< moving objects, at the demanded clearance
+  double planned_visit = 0.0;       ///< and at that which plans are made with
 
   /// The largest of those that hold for every plan, s.
   double of_every_plan() const;
@@ -41,6 +47,9 @@ class Findings {
 
   /// Tells the observer of a verified plan.
   void found(const Plan& plan) const;
+
+  /// Whether somebody wants to know plans before the last one.
+  bool are_plans_awaited() const { return static_cast<bool>(observer_.on_incumbent); }
 
   /// Of the planning run as it stands.
   PlanningStatus status() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -24,12 +25,13 @@ enum class Claim {
 enum class LowerBoundSource {
   kFastestMotions,  ///< the slower arm's fastest motion on its own
   kPassage,         ///< theory, section 4
-  kMovingObject,    ///< that passes a goal late; theory, section 3
+  kMovingObject,    ///< that is in the way, or passes a goal late; theory, sections 3 and 4
 };
 
-/// The last moving object to pass the place where an arm has to rest.
-struct GoalVisit {
+/// A moving object at a place where an arm has to pass, or to rest.
+struct ObjectVisit {
   int arm = 0;
+  double position = 0.0;  ///< rad, of the arm there
   std::string object;
   std::string body;    ///< of the arm: its link or what it carries
   double until = 0.0;  ///< s since the start of the plan; infinite where the object stays there
@@ -40,10 +42,10 @@ struct Certificate {
   double gap = 0.0;          ///< duration / lower_bound - 1, >= 0; 0 where nothing has to move
   Claim claim = Claim::kGap;
   LowerBoundSource source = LowerBoundSource::kFastestMotions;
-  std::optional<Gate> gate;        ///< of a passage bound
-  std::optional<GoalVisit> visit;  ///< of a moving object's bound
-  IntervalSet safe_start_delays;   ///< s, start of arm 2 minus start of arm 1, for both arms' fastest motions; moving
-                                   ///< objects left out
+  std::optional<Gate> gate;          ///< of a passage bound
+  std::optional<ObjectVisit> visit;  ///< of a moving object's bound
+  IntervalSet safe_start_delays;     ///< s, start of arm 2 minus start of arm 1, for both arms' fastest motions; moving
+                                     ///< objects left out
 };
 
 /// A verified motion of both arms.
@@ -106,6 +108,8 @@ struct Statistics {
   double verification_seconds = 0.0;
   int distance_query_count = 0;
   int fallback_evaluation_count = 0;
+  int fallback_node_count = 0;            ///< of the search's largest tree
+  std::size_t fallback_memory_bytes = 0;  ///< that its nodes took
 };
 
 struct Outcome {

@@ -16,7 +16,7 @@ double seconds_since(Budget::Clock::time_point start) {
 }  // namespace
 
 struct PlanningRun::State {
-  const Budget& budget;
+  PlanningBudget budget;
   Budget::Clock::time_point begin = Budget::Clock::now();
   PreparedProblem prepared;
   Findings findings;

@@ -9,7 +9,7 @@
 
 namespace dualarm {
 
-/// One planning run in two steps, so that quick work and slow work may wait in different queues. Problem, budget and
+/// One planning run in two steps, so that quick work and slow work may wait in different queues. Problem and
 /// observer outlive it. Every plan has passed `verify`. The same problem gives the same plan; only a budget that runs
 /// out can turn a plan of the search into Undecided. Throws std::logic_error for bugs only (a problem that is not valid
 /// in the sense of problem.h is one).

@@ -10,16 +10,13 @@
 namespace dualarm {
 namespace {
 
-/// How long a plan found when the budget ends may take to be proven.
-constexpr std::chrono::milliseconds kVerificationGrace(250);
-
 /// Most knot periods a plan may last: what is sent stays below the 50,000 knots an arm that a message may hold.
 constexpr double kMostKnots = 49000.0;
 
 Verification verified(const Problem& problem, const Trajectory& trajectory, const Budget& budget,
                       Statistics& statistics) {
-  const auto start = Budget::Clock::now();  // A search may have used up the budget; proving takes milliseconds.
-  Verification verification = verify(problem, trajectory, budget.with_grace(kVerificationGrace));
+  const auto start = Budget::Clock::now();
+  Verification verification = verify(problem, trajectory, budget);
   statistics.verification_seconds += std::chrono::duration<double>(Budget::Clock::now() - start).count();
   statistics.distance_query_count += verification.distance_query_count;
   return verification;

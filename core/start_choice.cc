@@ -66,8 +66,9 @@ StartChoice choose_starts(const Problem& problem, const ForbiddenSet& forbidden,
     choice.why_not = kOutOfBudget;
     return choice;
   }
+  const double longest = longest_delay(problem.options);
   const SafeStarts safe = {*choice.safe_delays, *of_first, *of_second};
-  choice.times = best_start_times(safe, first_timing, second_timing, longest_delay(problem.options));
+  if (longest >= 0.0) choice.times = best_start_times(safe, first_timing, second_timing, longest);
   if (!choice.times) choice.why_not = why_none(problem);
   return choice;
 }

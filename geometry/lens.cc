@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace dualarm {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-double angle_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
 double point_distance(const Eigen::Vector2d& point, const Segment& segment) {
   const Eigen::Vector2d along = segment.end - segment.start;
@@ -75,54 +74,79 @@ Outline turned(Outline outline, double angle) {
 /// rounding. One too many costs a test, one too few the truth.
 constexpr double kBeyondEnd = 1e-9;
 
+/// An edge as a line: where it lies across and along its direction.
+struct Line {
+  Eigen::Vector2d along;
+  Eigen::Vector2d outwards;  ///< to its right, which is the outside
+  double off;                ///< m, of the origin inwards
+  Interval extent;           ///< m, along
+};
+
+Line line_of(const Segment& edge) {
+  const Eigen::Vector2d along = (edge.end - edge.start).normalized();
+  const Eigen::Vector2d outwards(along.y(), -along.x());
+  return {along, outwards, outwards.dot(edge.start), {along.dot(edge.start), along.dot(edge.end)}};
+}
+
 /// The angles by which a corner has to be turned about the origin to come to lie at a distance from an outline, each a
 /// contact with a flank or with the cap around a corner.
 class Contacts {
  public:
   Contacts(double distance, double size) : distance_(distance), beyond_(kBeyondEnd * size) {}
 
-  /// `sense` -1 where it is the outline that turns.
-  void add(const Outline& outline, const Eigen::Vector2d& corner, double sense, bool with_caps) {
-    const double radius = corner.norm();
-    if (radius == 0.0) return;
-    const Turn turn = {radius, angle_of(corner), sense};
+  /// Of corners with the flanks of an outline. `sense` -1 where it is the outline that turns.
+  void add_flanks(const Outline& outline, const Outline& corners, double sense) {
     for (int i = 0; i < edge_count(outline); ++i) {
-      add_flank(edge(outline, i), distance_, turn);
-      if (outline.count == 2) add_flank(edge(outline, i), -distance_, turn);
+      const Line line = line_of(edge(outline, i));
+      for (int k = 0; k < corners.count; ++k) {
+        const Turn turn = {corners.corners[k], corners.corners[k].norm(), sense};
+        if (turn.radius == 0.0) continue;
+        add_flank(line, distance_, turn);
+        if (outline.count == 2) add_flank(line, -distance_, turn);
+      }
     }
-    for (int i = 0; with_caps && i < outline.count; ++i) add_cap(outline, i, turn);
+  }
+
+  /// Of corners with the caps around the corners of an outline.
+  void add_caps(const Outline& outline, const Outline& corners) {
+    for (int k = 0; k < corners.count; ++k) {
+      const Turn turn = {corners.corners[k], corners.corners[k].norm(), 1.0};
+      for (int i = 0; turn.radius > 0.0 && i < outline.count; ++i) add_cap(outline, i, turn);
+    }
   }
 
   /// All of them within one turn above `from`, ascending, with the turn's two ends.
-  const std::vector<double>& within_turn_above(double from) {
-    for (double& angle : angles_) angle = from + std::fmod(std::fmod(angle - from, kTurn) + kTurn, kTurn);
-    angles_.push_back(from);
-    angles_.push_back(from + kTurn);
-    std::sort(angles_.begin(), angles_.end());
-    return angles_;
+  std::span<const double> within_turn_above(double from) {
+    for (int i = 0; i < count_; ++i) {
+      double& angle = angles_[i];
+      angle = from + std::fmod(std::fmod(angle - from, kTurn) + kTurn, kTurn);
+    }
+    angles_[count_++] = from;
+    angles_[count_++] = from + kTurn;
+    std::sort(angles_.begin(), angles_.begin() + count_);
+    return {angles_.data(), static_cast<std::size_t>(count_)};
   }
 
  private:
   struct Turn {
+    Eigen::Vector2d corner;
     double radius;
-    double bearing;
     double sense;
   };
 
+  /// From where the corner is to a place as far from the origin.
   void add(const Eigen::Vector2d& place, const Turn& turn) {
-    angles_.push_back(turn.sense * (angle_of(place) - turn.bearing));
+    angles_[count_++] = turn.sense * std::atan2(cross(turn.corner, place), turn.corner.dot(place));
   }
 
-  /// The line beside an edge, on its outer (right) side, meets the circle of the corner twice.
-  void add_flank(const Segment& flank, double distance, const Turn& turn) {
-    const Eigen::Vector2d along = (flank.end - flank.start).normalized();
-    const Eigen::Vector2d outwards(along.y(), -along.x());
-    const double off = outwards.dot(flank.start) + distance;
+  /// The line beside an edge meets the circle of the corner twice.
+  void add_flank(const Line& line, double distance, const Turn& turn) {
+    const double off = line.off + distance;
     if (!(std::abs(off) <= turn.radius)) return;
     const double chord = std::sqrt((turn.radius - off) * (turn.radius + off));
-    const Interval extent = {along.dot(flank.start) - beyond_, along.dot(flank.end) + beyond_};
+    const Interval extent = {line.extent.lower - beyond_, line.extent.upper + beyond_};
     for (const double share : {-chord, chord}) {
-      if (extent.contains(share)) add(off * outwards + share * along, turn);
+      if (extent.contains(share)) add(off * line.outwards + share * line.along, turn);
     }
   }
 
@@ -153,9 +177,13 @@ class Contacts {
     return true;
   }
 
+  /// Four corners against four flanks or caps, and the other way round for flanks, two angles each; and two ends.
+  static constexpr int kMost = 2 * (3 * 4 * 4) + 2;
+
   double distance_;
   double beyond_;
-  std::vector<double> angles_;
+  std::array<double, kMost> angles_;
+  int count_ = 0;
 };
 
 /// Pieces closer than this (rad) are one: the same cut, computed twice.
@@ -222,10 +250,11 @@ std::vector<Interval> colliding_angles(const Outline& fixed, const Outline& turn
   // The distance equals `distance` only where a corner of one outline touches a cap or a flank of the other. Between
   // two neighbouring contacts the answer cannot change, so one test in the middle decides.
   Contacts contacts(distance, reach + away + distance);
-  for (int i = 0; i < turning.count; ++i) contacts.add(fixed, turning.corners[i], 1.0, true);
-  for (int i = 0; i < fixed.count; ++i) contacts.add(turning, fixed.corners[i], -1.0, false);
+  contacts.add_flanks(fixed, turning, 1.0);
+  contacts.add_caps(fixed, turning);
+  contacts.add_flanks(turning, fixed, -1.0);
 
-  const std::vector<double>& cuts = contacts.within_turn_above(window.lower);
+  const std::span<const double> cuts = contacts.within_turn_above(window.lower);
   std::vector<Interval> one_turn;
   for (std::size_t i = 0; i + 1 < cuts.size() && cuts[i] <= window.upper; ++i) {
     const double middle = 0.5 * (cuts[i] + cuts[i + 1]);

@@ -23,8 +23,11 @@ std::string plain(const std::string& name, const std::string& prefix, char betwe
 std::string bound_words(const Plan& plan) {
   const Certificate& certificate = plan.certificate();
   if (certificate.source() == LOWER_BOUND_SOURCE_MOVING_OBJECT) {
-    const GoalVisit& visit = certificate.visit();
-    return fmt::format("{} passes the goal of {} until {}", visit.object(), visit.arm(), seconds(visit.until_s()));
+    const ObjectVisit& visit = certificate.visit();
+    const double rest = certificate.lower_bound_s() - visit.until_s();
+    const std::string on = rest > 0.0 ? fmt::format(", and from there it takes {} more", seconds(rest)) : "";
+    return fmt::format("{} is in the way of {} at {} until {}{}", visit.object(), visit.arm(),
+                       degrees(visit.position_rad()), seconds(visit.until_s()), on);
   }
   if (certificate.source() != LOWER_BOUND_SOURCE_PASSAGE || !certificate.has_gate()) {
     return fmt::format("the slower arm on its own takes at least {}", seconds(certificate.lower_bound_s()));

@@ -39,7 +39,10 @@ class OtherArm final : public Meetings {
 
 std::optional<IntervalSet> forbidden_delays(const ForbiddenSet& forbidden, const Profile& first, const Profile& second,
                                             const Budget& budget) {
-  return project(OtherArm(forbidden, second), first, {std::max(first.duration(), second.duration())}, budget);
+  const Profile first_clock = first.asked_often();
+  const Profile second_clock = second.asked_often();
+  return project(OtherArm(forbidden, second_clock), first_clock, {std::max(first.duration(), second.duration())},
+                 budget);
 }
 
 }  // namespace dualarm

@@ -102,8 +102,12 @@ bool ForbiddenSet::contains(double theta1, double theta2) const { return !slice(
 
 IntervalSet ForbiddenSet::slice(double theta1, double spread, Interval window) const {
   std::vector<Interval> forbidden;
-  const auto add = [&](const std::vector<Interval>& angles) {
-    forbidden.insert(forbidden.end(), angles.begin(), angles.end());
+  const auto add = [&](std::vector<Interval>&& angles) {
+    if (forbidden.empty()) {
+      forbidden = std::move(angles);
+    } else {
+      forbidden.insert(forbidden.end(), angles.begin(), angles.end());
+    }
   };
   // Over the spread no point of arm 1 moves by more than its reach times the spread.
   for (const FlatPair& pair : flat_pairs_) {

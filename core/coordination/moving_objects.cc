@@ -1,142 +1,11 @@
 #include "core/coordination/moving_objects.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
-#include "core/coordination/advance.h"
 #include "core/coordination/projection.h"
-#include "geometry/chain.h"
-#include "geometry/clearance.h"
-#include "geometry/motion_bound.h"
-#include "geometry/support.h"
+#include "core/coordination/traffic.h"
 
 namespace dualarm {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// A body on its way from one pose of its track to the next.
-class Ride final : public Wanderer {
- public:
-  Ride(const Shape& shape, const TimedPose& from, const PoseTrack::Segment& segment)
-      : shape_(&shape),
-        from_(from),
-        span_(segment.duration),
-        axis_(segment.axis),
-        rate_(segment.angle / span_),
-        screw_{from.pose.translation(), segment.way / span_, rate_ * (from.pose.linear() * axis_), extent(shape)} {}
-
-  /// As PoseTrack::pose_at, for times (s) of this stretch of the track.
-  Shape shape_at(double time) const override {
-    Eigen::Isometry3d pose = from_.pose;
-    pose.translation() += (time - from_.time) * screw_.velocity;
-    pose.linear() = pose.linear() * Eigen::AngleAxisd((time - from_.time) * rate_, axis_).toRotationMatrix();
-    return placed(*shape_, pose);
-  }
-  Screw screw_at(double time) const override {
-    Screw screw = screw_;
-    screw.origin += (time - from_.time) * screw_.velocity;
-    return screw;
-  }
-
-  Interval times() const { return {std::max(0.0, from_.time), from_.time + span_}; }
-
-  /// Least distance (m) seen along z of the body from a vertical axis: no part of it comes closer.
-  double distance_from(const Eigen::Vector2d& axis) const {
-    const Eigen::Vector2d start = from_.pose.translation().head<2>();
-    const Eigen::Vector2d way = span_ * screw_.velocity.head<2>();
-    const double length_squared = way.squaredNorm();
-    const double share = length_squared > 0.0 ? std::clamp((axis - start).dot(way) / length_squared, 0.0, 1.0) : 0.0;
-    return (start + share * way - axis).norm() - screw_.reach;
-  }
-
- private:
-  const Shape* shape_;
-  TimedPose from_;
-  double span_;  ///< s
-  Eigen::Vector3d axis_;
-  double rate_ = 0.0;  ///< rad/s
-  Screw screw_;        ///< at the first pose
-};
-
-/// A body that stands still during an interval of time (s).
-struct Stop {
-  Shape shape;
-  Interval times;
-};
-
-/// The objects on their tracks, as an arm meets them.
-class Traffic final : public Meetings {
- public:
-  Traffic(const Base& base, const std::vector<Body>& bodies, const std::vector<TrackedBody>& objects, double clearance)
-      : base_(base), clearance_(clearance) {
-    for (const Body& body : bodies) {
-      bodies_.push_back({body.shape, reach(body.shape)});
-      reach_ = std::max(reach_, bodies_.back().reach);
-    }
-    for (const TrackedBody& object : objects) add(object);
-  }
-
-  std::vector<Interval> times_at(double position) const override { return times(position, 0.0); }
-  std::vector<Interval> times_over(Interval positions) const override {
-    return times(0.5 * (positions.lower + positions.upper), 0.5 * positions.length());
-  }
-
- private:
-  struct ArmBody {
-    Shape shape;  ///< in the link frame
-    double reach = 0.0;
-  };
-
-  /// What of a track comes within reach of the arm.
-  void add(const TrackedBody& object) {
-    const std::vector<TimedPose>& poses = object.track->poses();
-    const Eigen::Vector2d axis = base_.position.head<2>();
-    const double near = reach_ + clearance_;
-    const auto stop = [&](const Eigen::Isometry3d& pose, Interval times) {
-      const double away = (pose.translation().head<2>() - axis).norm() - extent(object.body.shape);
-      if (!times.empty() && away <= near) stops_.push_back({placed(object.body.shape, pose), times});
-    };
-    stop(poses.front().pose, {0.0, poses.front().time});
-    for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
-      const Ride ride(object.body.shape, poses[i], object.track->segments()[i]);
-      if (!ride.times().empty() && ride.distance_from(axis) <= near) rides_.push_back(ride);
-    }
-    stop(poses.back().pose, {std::max(0.0, poses.back().time), kInfinity});
-  }
-
-  std::vector<Interval> times(double position, double spread) const {
-    std::vector<Interval> found;
-    const Eigen::Isometry3d pose = link_pose(base_, position);
-    for (const ArmBody& body : bodies_) {
-      const Shape here = placed(body.shape, pose);
-      const double distance = clearance_ + body.reach * spread;
-      for (const Stop& stop : stops_) {
-        if (is_closer(here, stop.shape, distance)) found.push_back(stop.times);
-      }
-      for (const Ride& ride : rides_) {
-        const std::vector<Interval> of_ride = colliding_parameters(here, ride, distance, ride.times());
-        found.insert(found.end(), of_ride.begin(), of_ride.end());
-      }
-    }
-    return IntervalSet(std::move(found)).intervals();
-  }
-
-  static bool is_closer(const Shape& first, const Shape& second, double distance) {
-    const double apart = (centre(first) - centre(second)).norm() - bounding_radius(first) - bounding_radius(second);
-    return apart <= distance && clearance(first, second).distance <= distance + clearance_error(first, second);
-  }
-
-  Base base_;
-  double clearance_;
-  double reach_ = 0.0;  ///< m, of all bodies of the arm
-  std::vector<ArmBody> bodies_;
-  std::vector<Stop> stops_;
-  std::vector<Ride> rides_;
-};
-
-}  // namespace
 
 std::optional<IntervalSet> forbidden_starts(const Profile& motion, const Base& base, const std::vector<Body>& bodies,
                                             const std::vector<TrackedBody>& objects, double clearance,
@@ -151,11 +20,6 @@ std::optional<IntervalSet> forbidden_starts(const Profile& motion, const Base& b
     starts.push_back({-own_minus_other.upper, -own_minus_other.lower});
   }
   return IntervalSet(std::move(starts));
-}
-
-double last_meeting(double position, const Base& base, const Body& body, const TrackedBody& object, double clearance) {
-  const std::vector<Interval> times = Traffic(base, {body}, {object}, clearance).times_at(position);
-  return times.empty() ? -kInfinity : times.back().upper;
 }
 
 }  // namespace dualarm

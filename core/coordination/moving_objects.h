@@ -22,9 +22,4 @@ std::optional<IntervalSet> forbidden_starts(const Profile& motion, const Base& b
                                             const std::vector<TrackedBody>& objects, double clearance,
                                             const Budget& budget);
 
-/// The last time (s since the start of the plan) at which a body of an arm on `base`, standing at a position (rad), is
-/// closer than `clearance` (m) to an object that moves by itself: infinite where the object stays there, minus infinity
-/// where it never comes. Theory, section 3.
-double last_meeting(double position, const Base& base, const Body& body, const TrackedBody& object, double clearance);
-
 }  // namespace dualarm

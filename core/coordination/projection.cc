@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "core/coordination/least_value.h"
 
 namespace dualarm {
 namespace {
@@ -17,8 +18,8 @@ constexpr double kResolution = 1e-4;
 /// Part of the duration that sets the resolution below which a cell is not halved any more. Within so short a time no
 /// body moves farther than a small part of the planner's margin.
 constexpr double kShortestCell = 1e-9;
-/// Steps of the golden section, each of which leaves 0.618 of the bracket: down to rounding.
-constexpr int kSectionSteps = 75;
+/// Part of the duration to which ends are polished: a digit above rounding.
+constexpr double kPolish = 1e-14;
 /// Cells of each leg of the arm at the start of the subdivision.
 constexpr int kFirstCells = 16;
 
@@ -39,33 +40,6 @@ struct TimedSlice {
   double time = 0.0;
   std::vector<Interval> others;
 };
-
-/// Least value of a function with one minimum between two points, ends included. By golden section: the minimum is
-/// often a corner (the tip of the set), where interpolating methods stop at half the digits.
-template <class Function>
-double least_value(const Function& function, double left, double right) {
-  constexpr double kRatio = 1.0 - 1.0 / std::numbers::phi;
-  double least = std::min(function(left), function(right));
-  double inner_left = left + kRatio * (right - left);
-  double inner_right = right - kRatio * (right - left);
-  double at_left = function(inner_left);
-  double at_right = function(inner_right);
-  for (int i = 0; i < kSectionSteps; ++i) {
-    least = std::min({least, at_left, at_right});
-    if (at_left < at_right) {
-      right = std::exchange(inner_right, inner_left);
-      at_right = at_left;
-      inner_left = left + kRatio * (right - left);
-      at_left = function(inner_left);
-    } else {
-      left = std::exchange(inner_left, inner_right);
-      at_left = at_right;
-      inner_right = right - kRatio * (right - left);
-      at_right = function(inner_right);
-    }
-  }
-  return least;
-}
 
 class Projection {
  public:
@@ -154,10 +128,8 @@ class Projection {
 
   /// A superset of the differences that a cell forbids.
   std::vector<Interval> differences_of(const Cell& cell) const {
-    std::vector<Interval> differences;
-    for (const Interval& times : meetings_.times_over(cell.positions())) {
-      differences.push_back({cell.from_time - times.upper, cell.to_time - times.lower});
-    }
+    std::vector<Interval> differences = meetings_.times_over(cell.positions());
+    for (Interval& times : differences) times = {cell.from_time - times.upper, cell.to_time - times.lower};
     return differences;
   }
 
@@ -182,6 +154,7 @@ class Projection {
   double polished_end(Interval interval, double sign) const {
     if (!std::isfinite(interval.lower)) return interval.lower;
     std::vector<double> lowest;
+    lowest.reserve(middles_.size());
     for (const TimedSlice& slice : middles_) lowest.push_back(end_of_slice(slice, interval, sign));
     double best = interval.lower;
     for (std::size_t i = 0; i < leaves_.size(); ++i) {
@@ -193,7 +166,14 @@ class Projection {
       const double right = has_right ? leaves_[i + 1].middle() : leaves_[i].to;
       const Leg& leg = *leaves_[i].leg;
       const auto lowest_at = [&](double position) { return end_of_slice(slice_at(leg, position), interval, sign); };
-      best = std::min(best, least_value(lowest_at, left, right));
+      const auto value_at = [&](bool is_known, std::size_t leaf, double position) {
+        return Looked{position, is_known ? lowest[leaf] : lowest_at(position)};
+      };
+      best = std::min(best, least_value(lowest_at,
+                                        {value_at(has_left, i - 1, left),
+                                         {leaves_[i].middle(), lowest[i]},
+                                         value_at(has_right, i + 1, right)},
+                                        kPolish * longest_));
     }
     return best;
   }
@@ -206,10 +186,10 @@ class Projection {
     return {arm_.time_at(leg, position), meetings_.times_at(position)};
   }
 
-  /// The least of sign * (differences that a slice forbids) that belongs to `interval`; far above it if there is none,
-  /// as beyond the tip of the set.
+  /// The least of sign * (differences that a slice forbids) that belongs to `interval`; infinite if there is none, as
+  /// beyond the tip of the set.
   double end_of_slice(const TimedSlice& slice, Interval interval, double sign) const {
-    double lowest = interval.lower + longest_;
+    double lowest = kInfinity;
     for (const Interval& times : slice.others) {
       const double end = sign > 0.0 ? slice.time - times.upper : times.lower - slice.time;
       if (end >= interval.lower - 2.0 * resolution_ && end <= interval.upper) lowest = std::min(lowest, end);

@@ -6,14 +6,14 @@ namespace dualarm {
 
 namespace ob = ompl::base;
 
-bool RestGoal::isSatisfied(const ob::State* state) const { return StateTimeSpace::positions(state) == positions_; }
+bool StateGoal::isSatisfied(const ob::State* state) const { return StateTimeSpace::states(state) == states_; }
 
 ArrivalTime::ArrivalTime(const ob::SpaceInformationPtr& space) : OptimizationObjective(space) {
   description_ = "Arrival time";
   const Systems systems = space->getStateSpace()->as<StateTimeSpace>()->systems();
   setCostToGoHeuristic([systems](const ob::State* state, const ob::Goal* goal) {
     return ob::Cost(
-        minimum_time(systems, StateTimeSpace::positions(state), static_cast<const RestGoal*>(goal)->positions()));
+        minimum_time(systems, StateTimeSpace::states(state), static_cast<const StateGoal*>(goal)->states()));
   });
 }
 
@@ -24,8 +24,8 @@ ob::Cost ArrivalTime::motionCost(const ob::State* from, const ob::State* to) con
 }
 
 ob::Cost ArrivalTime::motionCostHeuristic(const ob::State* from, const ob::State* to) const {
-  return ob::Cost(minimum_time(si_->getStateSpace()->as<StateTimeSpace>()->systems(), StateTimeSpace::positions(from),
-                               StateTimeSpace::positions(to)));
+  return ob::Cost(minimum_time(si_->getStateSpace()->as<StateTimeSpace>()->systems(), StateTimeSpace::states(from),
+                               StateTimeSpace::states(to)));
 }
 
 }  // namespace dualarm

@@ -7,23 +7,19 @@
 
 namespace dualarm {
 
-/// Both arms at rest at given positions (rad), not before a time (s): until then objects pass there, and arms that
-/// arrive stay.
-class RestGoal final : public ompl::base::Goal {
+/// Both arms in given states, whenever that is.
+class StateGoal final : public ompl::base::Goal {
  public:
-  RestGoal(const ompl::base::SpaceInformationPtr& space, const JointPair& positions, double not_before)
-      : Goal(space), positions_(positions), not_before_(not_before) {}
+  StateGoal(const ompl::base::SpaceInformationPtr& space, const JointStates& states) : Goal(space), states_(states) {}
 
-  const JointPair& positions() const { return positions_; }
-  double not_before() const { return not_before_; }
+  const JointStates& states() const { return states_; }
   bool isSatisfied(const ompl::base::State* state) const override;
 
  private:
-  JointPair positions_;
-  double not_before_;
+  JointStates states_;
 };
 
-/// The cost of a path is the time (s) it ends at. Its cost-to-go is minimum_time to a RestGoal: exact for each arm
+/// The cost of a path is the time (s) it ends at. Its cost-to-go is minimum_time to a StateGoal: exact for each arm
 /// alone, never more than what both need.
 class ArrivalTime final : public ompl::base::OptimizationObjective {
  public:

@@ -22,6 +22,12 @@ constexpr double kTableError = 1e-6;
 /// with 20 m/s takes some 300.
 constexpr int kLookLimit = 1500;
 
+/// Looks after which the budget is asked again: some hundredths of a millisecond.
+constexpr int kLooksBetweenPolls = 64;
+
+/// s. How exactly it is known when an object has left a place for good.
+constexpr double kLeaveError = 1e-4;
+
 /// m. What rounding of coordinates of up to 10 km costs a bounding ball or box.
 constexpr double kRounding = 1e-10;
 
@@ -86,8 +92,8 @@ struct ClearanceProof::Span {
   double slack_to;
 };
 
-ClearanceProof::ClearanceProof(const Problem& problem, double clearance)
-    : bases_{problem.arms[0].base, problem.arms[1].base}, settled_time_(-kInfinity) {
+ClearanceProof::ClearanceProof(const Problem& problem, double clearance, const Budget& budget)
+    : bases_{problem.arms[0].base, problem.arms[1].base}, settled_time_(-kInfinity), budget_(&budget) {
   for (const TrackedBody& tracked : tracked_bodies(problem)) {
     settled_time_ = std::max(settled_time_, tracked.track->end_time());
   }
@@ -182,7 +188,14 @@ double ClearanceProof::approach(const Pair& pair, const Instant& from, const Ins
   return way;
 }
 
-bool ClearanceProof::proves(const std::array<Track, kArmCount>& tracks, Interval time) const {
+bool ClearanceProof::collide_at(const std::array<Track, kArmCount>& tracks, double time) const {
+  const Instant now = instant({position_on(tracks[0], time), position_on(tracks[1], time)}, time);
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [&](const Pair& pair) { return far_slack(pair, now) <= 0.0 && slack(pair, now) <= 0.0; });
+}
+
+std::optional<double> ClearanceProof::where_unproven(const std::array<Track, kArmCount>& tracks, Interval time) const {
+  if (budget_->exhausted()) return time.lower;
   std::vector<Instant> instants;
   for (const double at : breakpoints(tracks, time)) {
     instants.push_back(instant({position_on(tracks[0], at), position_on(tracks[1], at)}, at));
@@ -200,7 +213,8 @@ bool ClearanceProof::proves(const std::array<Track, kArmCount>& tracks, Interval
       }
       const double slack_from = known ? *known : slack(pair, from);
       const double slack_to = slack(pair, to);
-      if (slack_from <= 0.0 || slack_to <= 0.0) return false;
+      if (slack_from <= 0.0) return from.time;
+      if (slack_to <= 0.0) return to.time;
       if (slack_from + slack_to <= way) open.push_back({&pair, from, to, slack_from, slack_to});
       known = slack_to;
     }
@@ -209,14 +223,16 @@ bool ClearanceProof::proves(const std::array<Track, kArmCount>& tracks, Interval
 }
 
 /// Width first: a collision somewhere is met before much has been proven elsewhere.
-bool ClearanceProof::halve(std::vector<Span>& open, const std::array<Track, kArmCount>& tracks, int looks) const {
+std::optional<double> ClearanceProof::halve(std::vector<Span>& open, const std::array<Track, kArmCount>& tracks,
+                                            int looks) const {
   for (std::vector<Span> halves; !open.empty(); open.swap(halves)) {
     halves.clear();
     for (const Span& span : open) {
       const double time = 0.5 * (span.from.time + span.to.time);
       const Instant middle = instant({position_on(tracks[0], time), position_on(tracks[1], time)}, time);
       const double slack_there = slack(*span.pair, middle);
-      if (slack_there <= 0.0 || ++looks > kLookLimit) return false;
+      if (slack_there <= 0.0 || ++looks > kLookLimit) return time;
+      if (looks % kLooksBetweenPolls == 0 && budget_->exhausted()) return time;
       const auto keep = [&](const Instant& from, const Instant& to, double slack_from, double slack_to) {
         if (slack_from + slack_to > approach(*span.pair, from, to)) return;
         halves.push_back({span.pair, from, to, slack_from, slack_to});
@@ -225,7 +241,30 @@ bool ClearanceProof::halve(std::vector<Span>& open, const std::array<Track, kArm
       keep(middle, span.to, slack_there, span.slack_to);
     }
   }
-  return true;
+  return std::nullopt;
+}
+
+double ClearanceProof::free_from(int arm, double position) const {
+  double latest = -kInfinity;
+  for (const Pair& pair : pairs_) {
+    if (movers_[pair.first].arm != arm || movers_[pair.second].track == nullptr) continue;
+    JointPair positions = {};
+    positions[arm] = position;
+    const Instant begin = instant(positions, 0.0);
+    const Instant end = instant(positions, std::max(0.0, movers_[pair.second].track->end_time()));
+    if (slack(pair, end) <= 0.0) return kInfinity;
+    latest = std::max(latest, last_unproven(pair, begin, end));
+  }
+  return latest;
+}
+
+/// The end (s) of the last stretch of time in which an arm that stands is not proven free; minus infinity for none.
+double ClearanceProof::last_unproven(const Pair& pair, const Instant& from, const Instant& to) const {
+  if (slack(pair, from) + slack(pair, to) > approach(pair, from, to)) return -kInfinity;
+  if (to.time - from.time <= kLeaveError || budget_->exhausted()) return to.time;
+  const Instant middle = instant(from.positions, 0.5 * (from.time + to.time));
+  const double late = last_unproven(pair, middle, to);
+  return late > -kInfinity ? late : last_unproven(pair, from, middle);
 }
 
 }  // namespace dualarm

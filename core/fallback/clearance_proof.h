@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/fallback/profile_table.h"
 #include "core/fallback/steering.h"
+#include "core/model/budget.h"
 #include "core/model/problem.h"
 #include "geometry/body.h"
 #include "geometry/interval.h"
@@ -24,8 +26,10 @@ using Track = std::vector<TimedTable>;
 /// Where the two arms are free of each other and of everything else, and which motions provably are. Theory, section 5.
 class ClearanceProof {
  public:
-  /// `clearance` (m): what all bodies have to keep. The problem, whose moving objects are looked at, outlives this.
-  ClearanceProof(const Problem& problem, double clearance);
+  /// `clearance` (m): what all bodies have to keep. The problem, whose moving objects are looked at, outlives this, and
+  /// so does the budget: when it runs out nothing is proven any more.
+  ClearanceProof(const Problem& problem, double clearance, const Budget& budget);
+  ClearanceProof(const Problem& problem, double clearance, const Budget&& budget) = delete;
 
   /// Lower bound (m) on what is left beyond the demanded clearance of the distance of the closest pair that may meet;
   /// negative where it is missed, infinite where no two may meet. Without the objects that move by themselves.
@@ -33,7 +37,21 @@ class ClearanceProof {
 
   /// True if both tracks keep the clearance during a time (s) by the bound on how fast a distance can change; where a
   /// track has not begun or has ended its arm rests. False where they do not, or come too close for a proof.
-  bool proves(const std::array<Track, kArmCount>& tracks, Interval time) const;
+  bool proves(const std::array<Track, kArmCount>& tracks, Interval time) const {
+    return !where_unproven(tracks, time).has_value();
+  }
+
+  /// Nothing where the tracks are proven; otherwise a time (s) at which they collide or come too close, or the
+  /// beginning if the budget ran out.
+  std::optional<double> where_unproven(const std::array<Track, kArmCount>& tracks, Interval time) const;
+
+  /// Whether two bodies miss the clearance at a time (s): much less work than a proof.
+  bool collide_at(const std::array<Track, kArmCount>& tracks, double time) const;
+
+  /// The time (s) from which on an arm may stand at a position (rad) for good as far as objects are concerned that move
+  /// by themselves, not earlier than can be proven: minus infinity where none comes near, infinite where one comes to
+  /// stay.
+  double free_from(int arm, double position) const;
 
   /// The time (s) from which on no object moves by itself; minus infinity where none ever does.
   double settled_time() const { return settled_time_; }
@@ -64,12 +82,14 @@ class ClearanceProof {
   double far_slack(const Pair& pair, const Instant& instant) const;
   double slack(const Pair& pair, const Instant& instant) const;
   double approach(const Pair& pair, const Instant& from, const Instant& to) const;
-  bool halve(std::vector<Span>& open, const std::array<Track, kArmCount>& tracks, int looks) const;
+  std::optional<double> halve(std::vector<Span>& open, const std::array<Track, kArmCount>& tracks, int looks) const;
+  double last_unproven(const Pair& pair, const Instant& from, const Instant& to) const;
 
   std::array<Base, kArmCount> bases_;
   std::vector<Mover> movers_;
   std::vector<Pair> pairs_;
   double settled_time_;
+  const Budget* budget_;
 };
 
 }  // namespace dualarm

@@ -6,66 +6,91 @@
 #include <utility>
 
 namespace dualarm {
+namespace {
 
-Itinerary::Itinerary(const Systems& systems, const JointPair& start)
-    : systems_(systems),
-      standing_{*leg_between(0, 0.0, start[0], start[0]), *leg_between(1, 0.0, start[1], start[1])} {}
+/// Part of a duration by which arms in motion at their goals may arrive apart: knots that are meant to share a time
+/// have to (playback.h allows 1e-12).
+constexpr double kSameTime = 5e-13;
 
-std::optional<Itinerary::Leg> Itinerary::leg_between(int arm, double wait, double from, double to) const {
-  auto profile = steer(*systems_[arm], from, to);
+}  // namespace
+
+Itinerary::Itinerary(const Systems& systems, const JointStates& start, const Arrivals& arrivals)
+    : systems_(systems), start_(start), arrivals_(arrivals) {
+  for (int arm = 0; arm < kArmCount; ++arm) {
+    standing_[arm] = motion_along(arm, start[arm], start[arm], Profile(*systems[arm], start[arm]));
+  }
+}
+
+std::shared_ptr<const Itinerary::Motion> Itinerary::motion_along(int arm, JointState from, JointState to,
+                                                                 const Profile& profile) const {
+  return std::make_shared<const Motion>(
+      Motion{from, to, profile, ProfileTable(profile), can_hold(*systems_[arm], from)});
+}
+
+std::optional<Itinerary::Leg> Itinerary::leg_between(int arm, double wait, JointState from, JointState to) const {
+  const auto profile = steer(*systems_[arm], from, to);
   if (!profile) return std::nullopt;
-  ProfileTable table(*profile);
-  return Leg{wait, from, to, std::move(*profile), std::move(table)};
+  auto motion = motion_along(arm, from, to, *profile);
+  return Leg{motion->may_wait ? wait : 0.0, std::move(motion)};
 }
 
-bool Itinerary::append(int arm, double start_time, double goal) {
-  auto& legs = legs_[arm];
-  const double from = legs.empty() ? standing_[arm].goal : legs.back().goal;
-  if (from == goal) return true;
-  double free_from = 0.0;
-  for (const Leg& leg : legs) free_from += leg.wait + leg.table.duration();
-  auto leg = leg_between(arm, std::max(0.0, start_time - free_from), from, goal);
-  if (leg) legs.push_back(std::move(*leg));
-  return leg.has_value();
+void Itinerary::append(int arm, double start_time, const Profile& profile, JointState goal) {
+  if (profile.stands_still()) return;
+  const double before = legs_[arm].empty() ? 0.0 : arrival(arm);
+  const JointState from = legs_[arm].empty() ? start_[arm] : legs_[arm].back().motion->goal;
+  auto motion = motion_along(arm, from, goal, profile);
+  const double wait = motion->may_wait ? std::max(0.0, start_time - before) : 0.0;
+  legs_[arm].push_back({wait, std::move(motion)});
 }
 
-bool Itinerary::move_rest(int arm, int leg, double position, Keep keep) {
+bool Itinerary::move_via(int arm, int leg, JointState state, Keep keep) {
   auto& legs = legs_[arm];
-  auto before = leg_between(arm, legs[leg].wait, legs[leg].start, position);
-  auto after = leg_between(arm, legs[leg + 1].wait, position, legs[leg + 1].goal);
-  if (!before || !after) return false;
+  auto before = leg_between(arm, legs[leg].wait, legs[leg].motion->start, state);
+  if (!before) return false;
+  auto after = leg_between(arm, legs[leg + 1].wait, state, legs[leg + 1].motion->goal);
+  if (!after) return false;
   double longer = 0.0;
-  if (keep != Keep::kWait) longer += before->table.duration() - legs[leg].table.duration();
-  if (keep == Keep::kNextArrival) longer += after->table.duration() - legs[leg + 1].table.duration();
-  after->wait = std::max(0.0, after->wait - longer);
+  if (keep != Keep::kWait) longer += before->duration() - legs[leg].duration();
+  if (keep == Keep::kNextArrival) longer += after->duration() - legs[leg + 1].duration();
+  if (after->motion->may_wait) after->wait = std::max(0.0, after->wait - longer);
   legs[leg] = std::move(*before);
   legs[leg + 1] = std::move(*after);
   return true;
 }
 
-bool Itinerary::drop_rest(int arm, int leg) {
+bool Itinerary::drop_via(int arm, int leg) {
   auto& legs = legs_[arm];
-  auto joined = leg_between(arm, legs[leg].wait + legs[leg + 1].wait, legs[leg].start, legs[leg + 1].goal);
+  auto joined =
+      leg_between(arm, legs[leg].wait + legs[leg + 1].wait, legs[leg].motion->start, legs[leg + 1].motion->goal);
   if (!joined) return false;
   legs[leg] = std::move(*joined);
   legs.erase(legs.begin() + leg + 1);
   return true;
 }
 
-bool Itinerary::insert_rest(int arm, int leg, double position) {
+bool Itinerary::insert_via(int arm, int leg, JointState state) {
   auto& legs = legs_[arm];
-  auto before = leg_between(arm, legs[leg].wait, legs[leg].start, position);
-  auto after = leg_between(arm, 0.0, position, legs[leg].goal);
-  if (!before || !after) return false;
+  auto before = leg_between(arm, legs[leg].wait, legs[leg].motion->start, state);
+  if (!before) return false;
+  auto after = leg_between(arm, 0.0, state, legs[leg].motion->goal);
+  if (!after) return false;
   legs[leg] = std::move(*before);
   legs.insert(legs.begin() + leg + 1, std::move(*after));
   return true;
 }
 
+void Itinerary::set_wait(int arm, int leg, double wait) {
+  if (may_wait(arm, leg)) legs_[arm][leg].wait = wait;
+}
+
 double Itinerary::busy_time(int arm) const {
   if (legs_[arm].empty()) return 0.0;
-  return std::accumulate(legs_[arm].begin(), legs_[arm].end(), -legs_[arm].front().wait,
-                         [](double sum, const Leg& leg) { return sum + leg.wait + leg.table.duration(); });
+  return arrival(arm) - legs_[arm].front().wait;
+}
+
+double Itinerary::arrival(int arm) const {
+  return std::accumulate(legs_[arm].begin(), legs_[arm].end(), 0.0,
+                         [](double sum, const Leg& leg) { return sum + leg.wait + leg.duration(); });
 }
 
 double Itinerary::waits_between() const {
@@ -76,19 +101,57 @@ double Itinerary::waits_between() const {
   return sum;
 }
 
-double Itinerary::duration() const {
-  double last = 0.0;
-  for (int arm = 0; arm < kArmCount; ++arm) {
-    if (!legs_[arm].empty()) last = std::max(last, legs_[arm].front().wait + busy_time(arm));
-  }
-  return last;
-}
+double Itinerary::duration() const { return std::max(arrival(0), arrival(1)); }
+
+double Itinerary::first_start(int arm) const { return legs_[arm].empty() ? 0.0 : legs_[arm].front().wait; }
 
 void Itinerary::align(int leader, double end) {
   for (int arm = 0; arm < kArmCount; ++arm) {
-    if (legs_[arm].empty()) continue;
-    legs_[arm].front().wait = arm == leader ? 0.0 : std::max(0.0, end - busy_time(arm));
+    auto& legs = legs_[arm];
+    if (legs.empty()) continue;
+    if (arm == leader) {
+      legs.front().wait = 0.0;
+      continue;
+    }
+    const auto rest = std::find_if(legs.begin(), legs.end(), [](const Leg& leg) { return leg.motion->may_wait; });
+    if (rest != legs.end()) rest->wait = std::max(0.0, rest->wait + end - arrival(arm));
   }
+}
+
+bool Itinerary::settle(double end) {
+  for (int arm = 0; arm < kArmCount; ++arm) {
+    if (legs_[arm].empty()) {
+      if (arrivals_.earliest[arm] > 0.0) return false;
+      continue;
+    }
+    const double late = arrival(arm);
+    if (legs_[arm].back().motion->goal.velocity == 0.0) {
+      if (late < arrivals_.earliest[arm] && !delay(arm, arrivals_.earliest[arm] - late)) return false;
+    } else if (std::abs(end - late) > kSameTime * end && !(end > late && delay(arm, end - late))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Where the arm last rests, or else by a slower last leg.
+bool Itinerary::delay(int arm, double by) {
+  auto& legs = legs_[arm];
+  const auto rest = std::find_if(legs.rbegin(), legs.rend(), [](const Leg& leg) { return leg.motion->may_wait; });
+  if (rest != legs.rend()) {
+    rest->wait += by;
+    return true;
+  }
+  const auto last = legs.back().motion;
+  const auto slower = stretched(*systems_[arm], last->start, last->goal, legs.back().duration() + by);
+  if (!slower) return false;
+  legs.pop_back();
+  for (const Profile& profile : *slower) {
+    const JointState from = legs.empty() ? start_[arm] : legs.back().motion->goal;
+    const JointState to = &profile == &slower->back() ? last->goal : profile.goal_state();
+    legs.push_back({0.0, motion_along(arm, from, to, profile)});
+  }
+  return true;
 }
 
 std::array<Track, kArmCount> Itinerary::tracks() const {
@@ -97,10 +160,10 @@ std::array<Track, kArmCount> Itinerary::tracks() const {
     double time = 0.0;
     for (const Leg& leg : legs_[arm]) {
       time += leg.wait;
-      tracks[arm].push_back({time, &leg.table});
-      time += leg.table.duration();
+      tracks[arm].push_back({time, &leg.motion->table});
+      time += leg.duration();
     }
-    if (tracks[arm].empty()) tracks[arm].push_back({0.0, &standing_[arm].table});
+    if (tracks[arm].empty()) tracks[arm].push_back({0.0, &standing_[arm]->table});
   }
   return tracks;
 }
@@ -111,10 +174,10 @@ Schedule Itinerary::schedule() const {
     double time = 0.0;
     for (const Leg& leg : legs_[arm]) {
       time += leg.wait;
-      schedule[arm].push_back({time, leg.profile});
-      time += leg.profile.duration();
+      schedule[arm].push_back({time, leg.motion->profile});
+      time += leg.motion->profile.duration();
     }
-    if (schedule[arm].empty()) schedule[arm].push_back({0.0, standing_[arm].profile});
+    if (schedule[arm].empty()) schedule[arm].push_back({0.0, standing_[arm]->profile});
   }
   return schedule;
 }

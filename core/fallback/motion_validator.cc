@@ -2,8 +2,8 @@
 
 #include <ompl/base/SpaceInformation.h>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/fallback/state_time_space.h"
 
@@ -16,34 +16,20 @@ const Systems& systems_of(const ompl::base::SpaceInformation* space) {
 
 }  // namespace
 
-std::optional<Edge> connect(const Systems& systems, const ClearanceProof& proof, const JointPair& from,
-                            const JointPair& to, Interval time) {
-  auto first = steer(*systems[0], from[0], to[0]);
-  auto second = steer(*systems[1], from[1], to[1]);
-  if (!first || !second) return std::nullopt;
-  const std::array<ProfileTable, kArmCount> tables = {ProfileTable(*first), ProfileTable(*second)};
-  const double duration = std::max({tables[0].duration(), tables[1].duration(), time.length()});
-  const std::array<double, kArmCount> latest = {duration - tables[0].duration(), duration - tables[1].duration()};
-  const JointPair together = {0.0, 0.0};
-  for (const JointPair& starts : {together, latest}) {
-    if (proof.proves({Track{{time.lower + starts[0], &tables[0]}}, Track{{time.lower + starts[1], &tables[1]}}},
-                     {time.lower, time.lower + duration})) {
-      return Edge{{TimedProfile{starts[0], std::move(*first)}, TimedProfile{starts[1], std::move(*second)}}, duration};
-    }
-    if (latest == together) break;
+bool StateValidity::isValid(const ompl::base::State* state) const {
+  if (!si_->satisfiesBounds(state)) return false;
+  const JointStates states = StateTimeSpace::states(state);
+  for (int arm = 0; arm < kArmCount; ++arm) {
+    if (states[arm].velocity == 0.0 && !can_hold(*systems_of(si_)[arm], states[arm])) return false;
   }
-  return std::nullopt;
-}
-
-bool RestValidity::isValid(const ompl::base::State* state) const {
-  const JointPair positions = StateTimeSpace::positions(state);
-  return holdable(systems_of(si_), positions) && proof_.slack(positions) > 0.0;
+  return proof_.slack(positions_of(states)) > 0.0;
 }
 
 bool EdgeValidator::checkMotion(const ompl::base::State* from, const ompl::base::State* to) const {
   const bool valid = std::isfinite(si_->distance(from, to)) &&
-                     connect(systems_of(si_), proof_, StateTimeSpace::positions(from), StateTimeSpace::positions(to),
-                             {StateTimeSpace::time(from), StateTimeSpace::time(to)});
+                     (si_->equalStates(from, to) ||
+                      connect(systems_of(si_), proof_, StateTimeSpace::states(from), StateTimeSpace::states(to),
+                              {StateTimeSpace::time(from), StateTimeSpace::time(to)}));
   ++(valid ? valid_ : invalid_);
   return valid;
 }

@@ -6,9 +6,9 @@
 namespace dualarm {
 namespace {
 
-/// Pieces an arc is cut into at first, and at most. The quintic is then within 1e-8 rad of a swing of a radian (tested)
-/// where the acceleration is smooth; where it has bends, pieces are halved.
-constexpr int kPiecesPerArc = 16;
+/// Pieces an arc is cut into at first, and at most: where its acceleration has bends or changes fast, pieces are
+/// halved.
+constexpr int kPiecesPerArc = 6;
 constexpr int kMostPieces = 2048;
 
 /// rad: how far a quintic may be from the exact motion, judged by its acceleration inside the piece.
@@ -57,6 +57,7 @@ std::vector<Knot> knots_along(const Profile& profile, const Arc& arc, int pieces
     const double time = arc.start_time + (arc.end_time - arc.start_time) * static_cast<double>(knots.size()) / pieces;
     knots.push_back({time, state.position, state.velocity, profile.acceleration_on(arc, state), 0.0});
   }
+  knots.back().time = arc.end_time;  // which rounding may have missed
   return knots;
 }
 

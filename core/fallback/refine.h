@@ -1,5 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <limits>
+
 #include "core/fallback/clearance_proof.h"
 #include "core/fallback/itinerary.h"
 #include "core/fallback/random.h"
@@ -7,41 +12,54 @@
 
 namespace dualarm {
 
-/// Makes a plan of legs and rests shorter by trial: drops rests and waits, moves and adds rests, and lets one arm begin
-/// at once and the other end as early as can be proven. Every plan it takes is proven free and shorter than the one
-/// before, or no longer and with less waiting between legs.
+/// What a refinement has to keep to and where it may stop.
+struct RefinementRules {
+  double lower_bound = 0.0;                                          ///< s: no plan is shorter
+  double max_start_delay = std::numeric_limits<double>::infinity();  ///< s, when an arm first moves at the latest
+};
+
+/// Makes a plan shorter by trial: drops, moves and adds the states that legs lead through, at rest or in motion,
+/// changes waits, and lets one arm begin at once and the other end as early as can be proven. Every plan it takes is
+/// proven free and shorter than the one before, or no longer and with less waiting between legs.
 class Refinement {
  public:
-  /// `first` is proven free; `lower_bound` s: no plan is shorter. The other objects outlive it.
-  Refinement(const Systems& systems, const ClearanceProof& proof, Itinerary first, double lower_bound, Random& random,
-             const Budget& budget);
+  /// `first` is proven free. The other objects outlive it.
+  Refinement(const Systems& systems, const ClearanceProof& proof, Itinerary first, const RefinementRules& rules,
+             Random& random, const Budget& budget);
 
   /// Tries until `evaluation_limit` plans have been tried in all, the lower bound is reached or the budget is
-  /// exhausted.
-  void run(int evaluation_limit);
+  /// exhausted. `on_better` is told after each step that made the plan shorter.
+  void run(int evaluation_limit, const std::function<void()>& on_better = {});
 
   const Itinerary& best() const { return best_; }
+  double duration() const { return duration_; }     ///< s, of the best
   int evaluations() const { return evaluations_; }  ///< changes made and proofs tried
 
  private:
   Itinerary changed();
   void change_once(Itinerary& candidate);
+  void insert(Itinerary& candidate, int arm, int leg);
+  void move(Itinerary& candidate);
+  JointState beside(int arm, JointState state);
   void consider(const Itinerary& candidate);
-  bool improves_aligned(Itinerary candidate);
-  void keep_if_faster(const Itinerary& candidate);
+  bool improves_aligned(const Itinerary& candidate);
+  void keep_if_faster(Itinerary candidate);
   bool proven(Itinerary& candidate, int leader, double end);
-  bool proves_for_good(const Itinerary& candidate, double end) const;  ///< until no object moves any more
+  bool proven_as_is(Itinerary& candidate, double end);
+  bool proven_free(const Itinerary& candidate);
 
   const Systems& systems_;
   const ClearanceProof& proof_;
   Itinerary best_;
   double duration_;
   double waits_;
-  double lower_bound_;
+  RefinementRules rules_;
   Random& random_;
   const Budget& budget_;
   int leader_ = 0;  ///< who began first in the last plan that was taken
   int evaluations_ = 0;
+  std::array<double, 4> collisions_ = {};  ///< s, of plans that were tried last: where the next one may collide, too
+  std::size_t next_collision_ = 0;
 };
 
 }  // namespace dualarm

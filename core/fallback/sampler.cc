@@ -5,29 +5,34 @@
 namespace dualarm {
 namespace {
 
-/// How often a joint is drawn from its preferred positions.
+/// How often an arm is drawn in one of its preferred states, and how often it is in motion elsewhere.
 constexpr double kPreferredShare = 0.25;
+constexpr double kMotionShare = 0.3;
 
 }  // namespace
 
 void Sampler::sampleUniform(ompl::base::State* state) {
   const auto* space = space_->as<StateTimeSpace>();
-  JointPair positions;
+  JointStates states;
   for (int arm = 0; arm < kArmCount; ++arm) {
-    const std::vector<double>& preferred = preferred_[arm];
+    const std::vector<JointState>& preferred = preferred_[arm];
     if (!preferred.empty() && random_.chance(kPreferredShare)) {
-      positions[arm] = preferred[random_.below(static_cast<int>(preferred.size()))];
+      states[arm] = preferred[random_.below(static_cast<int>(preferred.size()))];
     } else {
-      positions[arm] = random_.in(space->systems()[arm]->range());
+      states[arm].position = random_.in(space->systems()[arm]->range());
+      if (random_.chance(kMotionShare)) states[arm].velocity = random_.in(space->speeds(arm));
     }
   }
-  StateTimeSpace::set(state, positions, random_.in({0.0, space->getMaximumExtent()}));
+  StateTimeSpace::set(state, states, random_.in({0.0, space->getMaximumExtent()}));
 }
 
 void Sampler::sampleUniformNear(ompl::base::State* state, const ompl::base::State* near, double distance) {
-  JointPair positions = StateTimeSpace::positions(near);
-  for (double& position : positions) position += random_.in({-distance, distance});
-  StateTimeSpace::set(state, positions, StateTimeSpace::time(near) + random_.in({-distance, distance}));
+  JointStates states = StateTimeSpace::states(near);
+  for (JointState& joint : states) {
+    joint.position += random_.in({-distance, distance});
+    joint.velocity += random_.in({-distance, distance});
+  }
+  StateTimeSpace::set(state, states, StateTimeSpace::time(near) + random_.in({-distance, distance}));
   space_->enforceBounds(state);
 }
 

@@ -1,14 +1,15 @@
 #include "core/fallback/state_time_planner.h"
 
 #include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
-#include <ompl/geometric/PathGeometric.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "core/fallback/arrival_time.h"
+#include "core/fallback/itinerary.h"
 #include "core/fallback/motion_validator.h"
 #include "core/fallback/random.h"
 #include "core/fallback/refine.h"
@@ -20,8 +21,22 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// Part of the evaluations that the tree may use once it has a plan; until then it may use all.
-constexpr double kTreeShareAfterFirstPlan = 0.1;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// How many times the evaluations that it may take to shorten plans a search may take to find one.
+constexpr int kPatience = 4;
+
+/// Trees that are grown from the start, each until it has a plan: their plans go different ways round. The parts of the
+/// evaluations that one of them, once there is a plan at all, and the shortening of what it found may take.
+constexpr int kTrees = 6;
+constexpr double kTreeShare = 0.04;
+constexpr double kFirstRefinementShare = 0.06;
+
+/// A later tree's plan may be this much longer than the best, which has been shortened, and be worth shortening.
+constexpr double kTolerated = 1.6;
+
+/// Part of the last incumbent told by which the next one is shorter.
+constexpr double kToldGain = 0.01;
 
 /// The space's time bound, in multiples of the arms' ways across their whole ranges; only bounds what OMPL samples.
 constexpr double kHorizonFactor = 10.0;
@@ -29,74 +44,172 @@ constexpr double kHorizonFactor = 10.0;
 /// s, where no such way exists.
 constexpr double kHorizonWithoutWay = 1e3;
 
-/// Sets the refinement's chances apart from the tree's.
-constexpr std::uint64_t kRefinementSeed = 0x9e3779b97f4a7c15;
+/// Sets the refinement's chances, and those of each tree, apart.
+constexpr std::uint64_t kNextSeed = 0x9e3779b97f4a7c15;
 
-double horizon(const Systems& systems) {
+double horizon(const Systems& systems, double settled_time) {
   const Interval first = systems[0]->range();
   const Interval second = systems[1]->range();
-  const double way = std::max(monotone_time(systems, {first.lower, second.lower}, {first.upper, second.upper}),
-                              monotone_time(systems, {first.upper, second.upper}, {first.lower, second.lower}));
-  return std::isfinite(way) && way > 0.0 ? kHorizonFactor * way : kHorizonWithoutWay;
+  const double way =
+      std::max(steering_time(systems, at_rest({first.lower, second.lower}), at_rest({first.upper, second.upper})),
+               steering_time(systems, at_rest({first.upper, second.upper}), at_rest({first.lower, second.lower})));
+  const double free = std::isfinite(way) && way > 0.0 ? kHorizonFactor * way : kHorizonWithoutWay;
+  return free + std::max(0.0, settled_time);
 }
 
-/// The tree's path as an itinerary. Edges follow from their ends, so the path's states are all it takes.
-Itinerary itinerary_along(const Systems& systems, const ClearanceProof& proof,
-                          const ompl::geometric::PathGeometric& path) {
-  Itinerary itinerary(systems, StateTimeSpace::positions(path.getState(0)));
-  for (unsigned i = 0; i + 1 < path.getStateCount(); ++i) {
-    const JointPair from = StateTimeSpace::positions(path.getState(i));
-    const JointPair to = StateTimeSpace::positions(path.getState(i + 1));
-    const double begin = StateTimeSpace::time(path.getState(i));
-    const auto edge = connect(systems, proof, from, to, {begin, StateTimeSpace::time(path.getState(i + 1))});
+/// One search: its problem put to OMPL, and the best found so far.
+class Search {
+ public:
+  Search(const Problem& problem, const Systems& systems, const SearchRules& rules, const Budget& budget)
+      : problem_(problem),
+        systems_(systems),
+        rules_(rules),
+        budget_(budget),
+        proof_(problem, rules.clearance, budget),
+        start_{problem.tasks[0].start, problem.tasks[1].start},
+        goal_{problem.tasks[0].goal, problem.tasks[1].goal},
+        random_(problem.options.seed ^ kNextSeed) {
     for (int arm = 0; arm < kArmCount; ++arm) {
-      itinerary.append(arm, begin + edge.value().motions[arm].start_time, to[arm]);
+      if (goal_[arm].velocity == 0.0) arrivals_.earliest[arm] = proof_.free_from(arm, goal_[arm].position);
     }
+    least_ = std::max(
+        {rules.lower_bound, minimum_time(systems, start_, goal_), arrivals_.earliest[0], arrivals_.earliest[1]});
   }
-  return itinerary;
-}
+
+  SearchResult run() {
+    for (int tree = 0; (tree < kTrees || !best_) && !is_done(); ++tree) {
+      const int before = result_.evaluation_count;
+      auto found = grow(tree);
+      if (!found && result_.evaluation_count == before) break;  // nothing starts here
+      if (!found) continue;
+      shorten(std::move(*found), share(kFirstRefinementShare));
+    }
+    if (best_ && !is_done()) shorten(*best_, left());
+    if (best_) {
+      result_.schedule = best_->schedule();
+      result_.duration = best_->duration();
+    }
+    result_.budget_ran_out = budget_.exhausted();
+    return result_;
+  }
+
+ private:
+  int share(double part) const { return static_cast<int>(part * rules_.evaluation_limit); }
+  int left() const {
+    const std::int64_t limit = rules_.evaluation_limit;
+    const std::int64_t all = best_ ? found_after_ + limit : kPatience * limit;
+    return static_cast<int>(std::min<std::int64_t>(all - result_.evaluation_count, std::numeric_limits<int>::max()));
+  }
+  bool is_done() const { return left() <= 0 || budget_.exhausted() || (best_ && best_->duration() <= least_); }
+
+  /// A tree from the start, and the plan that it finds.
+  std::optional<Itinerary> grow(int tree) {
+    const auto space =
+        std::make_shared<StateTimeSpace>(systems_, horizon(systems_, proof_.settled_time()),
+                                         problem_.options.seed + static_cast<std::uint64_t>(tree) * kNextSeed,
+                                         proof_.settled_time(), std::array<JointStates, 2>{start_, goal_});
+    const auto information = std::make_shared<ob::SpaceInformation>(space);
+    information->setStateValidityChecker(std::make_shared<StateValidity>(information, proof_));
+    information->setMotionValidator(std::make_shared<EdgeValidator>(information, proof_));
+    information->setup();
+    const auto definition = std::make_shared<ob::ProblemDefinition>(information);
+    ob::ScopedState<StateTimeSpace> start(information);
+    StateTimeSpace::set(start.get(), start_, 0.0);
+    definition->addStartState(start);
+    definition->setGoal(std::make_shared<StateGoal>(information, goal_));
+    definition->setOptimizationObjective(std::make_shared<ArrivalTime>(information));
+
+    TreeLimits limits;
+    limits.evaluations = std::min(left(), best_ ? share(kTreeShare) : rules_.evaluation_limit);
+    limits.nodes = std::max(1, static_cast<int>(rules_.memory_limit / TreePlanner::node_bytes(*information)));
+    if (best_) limits.incumbent = kTolerated * best_->duration();
+    limits.max_start_delay = problem_.options.max_start_delay;
+    TreePlanner planner(information, limits);
+    planner.setProblemDefinition(definition);
+    planner.setup();
+    planner.solve(ob::PlannerTerminationCondition([this] { return budget_.exhausted(); }));
+    count(planner.evaluations());
+    ++result_.tree_count;
+    result_.node_count = std::max(result_.node_count, planner.most_nodes());
+    result_.memory = static_cast<std::size_t>(result_.node_count) * TreePlanner::node_bytes(*information);
+    if (!definition->hasExactSolution()) return std::nullopt;
+    return itinerary_along(planner.best_edges());
+  }
+
+  /// Edges follow from their beginning and their moves.
+  std::optional<Itinerary> itinerary_along(const std::vector<Edge>& edges) const {
+    Itinerary itinerary(systems_, start_, arrivals_);
+    JointStates from = start_;
+    double time = 0.0;
+    for (const Edge& edge : edges) {
+      for (int arm = 0; arm < kArmCount; ++arm) {
+        const Move& move = edge.moves[arm];
+        if (move.lasts == 0.0) continue;
+        const auto motions = motions_of(*systems_[arm], from[arm], move);
+        if (!motions) return std::nullopt;
+        for (const Profile& motion : *motions) {
+          const bool is_last = &motion == &motions->back();
+          itinerary.append(arm, time + move.wait, motion, is_last ? edge.end[arm] : motion.goal_state());
+        }
+      }
+      from = edge.end;
+      time += edge.duration;
+    }
+    return itinerary;
+  }
+
+  /// Takes a plan that was found, or what becomes of it in some evaluations, if it is the best.
+  void shorten(Itinerary plan, int evaluations) {
+    if (!best_) {
+      result_.first_duration = plan.duration();
+      found_after_ = result_.evaluation_count;
+    }
+    const int before = result_.evaluation_count;
+    Refinement refinement(systems_, proof_, std::move(plan), {least_, problem_.options.max_start_delay}, random_,
+                          budget_);
+    const auto take = [&] {
+      if (!best_ || refinement.duration() < best_->duration()) best_ = refinement.best();
+      result_.evaluation_count = before + refinement.evaluations();
+      tell();
+    };
+    take();
+    refinement.run(std::min(evaluations, left()), take);
+    take();
+    count(0);
+  }
+
+  void tell() {
+    if (!rules_.on_incumbent || best_->duration() > told_ * (1.0 - kToldGain)) return;
+    told_ = best_->duration();
+    rules_.on_incumbent(best_->schedule(), told_);
+  }
+
+  void count(int evaluations) {
+    result_.evaluation_count += evaluations;
+    if (rules_.on_status) rules_.on_status(result_.evaluation_count);
+  }
+
+  const Problem& problem_;
+  const Systems& systems_;
+  const SearchRules& rules_;
+  const Budget& budget_;
+  ClearanceProof proof_;
+  JointStates start_;
+  JointStates goal_;
+  Arrivals arrivals_;
+  double least_ = 0.0;  ///< s, that no plan is below
+  Random random_;
+  std::optional<Itinerary> best_;
+  int found_after_ = 0;  ///< evaluations, until there was a plan
+  double told_ = kInfinity;
+  SearchResult result_;
+};
 
 }  // namespace
 
-SearchResult search_state_time(const Problem& problem, const Systems& systems, double clearance, double earliest_end,
-                               int evaluation_limit, const Budget& budget) {
-  const ClearanceProof proof(problem, clearance);
-  const std::uint64_t seed = problem.options.seed;
-  const JointPair start = {problem.tasks[0].start.position, problem.tasks[1].start.position};
-  const JointPair goal = {problem.tasks[0].goal.position, problem.tasks[1].goal.position};
-
-  auto space = std::make_shared<StateTimeSpace>(systems, horizon(systems), seed, proof.settled_time());
-  auto information = std::make_shared<ob::SpaceInformation>(space);
-  information->setStateValidityChecker(std::make_shared<RestValidity>(information, proof));
-  information->setMotionValidator(std::make_shared<EdgeValidator>(information, proof));
-  information->setup();
-
-  auto definition = std::make_shared<ob::ProblemDefinition>(information);
-  ob::ScopedState<StateTimeSpace> start_state(information);
-  StateTimeSpace::set(start_state.get(), start, 0.0);
-  definition->addStartState(start_state);
-  definition->setGoal(std::make_shared<RestGoal>(information, goal, earliest_end));
-  definition->setOptimizationObjective(std::make_shared<ArrivalTime>(information));
-
-  TreePlanner tree(information, {evaluation_limit, static_cast<int>(kTreeShareAfterFirstPlan * evaluation_limit)});
-  tree.setProblemDefinition(definition);
-  tree.setup();
-  const bool solved = tree.solve(ob::PlannerTerminationCondition([&budget] { return budget.exhausted(); })) ==
-                      ob::PlannerStatus::EXACT_SOLUTION;
-  SearchResult result;
-  result.evaluation_count = tree.evaluations();
-  if (solved) {
-    const auto* path = definition->getSolutionPath()->as<ompl::geometric::PathGeometric>();
-    Random random(seed ^ kRefinementSeed);
-    const double lower_bound = std::max(earliest_end, minimum_time(systems, start, goal));
-    Refinement refinement(systems, proof, itinerary_along(systems, proof, *path), lower_bound, random, budget);
-    refinement.run(evaluation_limit - result.evaluation_count);
-    result.evaluation_count += refinement.evaluations();
-    result.schedule = refinement.best().schedule();
-    result.duration = refinement.best().duration();
-  }
-  result.budget_ran_out = budget.exhausted();
-  return result;
+SearchResult search_state_time(const Problem& problem, const Systems& systems, const SearchRules& rules,
+                               const Budget& budget) {
+  return Search(problem, systems, rules, budget).run();
 }
 
 }  // namespace dualarm

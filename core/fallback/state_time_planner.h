@@ -1,37 +1,55 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
-#include <vector>
 
-#include "core/fallback/itinerary.h"
+#include "core/fallback/edge.h"
 #include "core/model/budget.h"
 #include "core/model/problem.h"
-#include "core/phase_plane/profile.h"
 
 namespace dualarm {
 
 /// Evaluations after which a search ends unless told otherwise: some tenths of a second for two bare arms.
-inline constexpr int kDefaultEvaluationLimit = 6000;
+inline constexpr int kDefaultEvaluationLimit = 12000;
+
+/// Bytes that the nodes of a search's tree may take unless told otherwise.
+inline constexpr std::size_t kDefaultSearchMemory = std::size_t{32} << 20;
+
+/// What a search has to keep to.
+struct SearchRules {
+  double clearance = 0.0;                           ///< m: the demanded one with the planner's margin added
+  int evaluation_limit = kDefaultEvaluationLimit;   ///< > 0
+  std::size_t memory_limit = kDefaultSearchMemory;  ///< bytes; a tree that takes as much is begun anew
+  double lower_bound = 0.0;                         ///< s, that no plan is below: the search ends when it is met
+  std::function<void(const Schedule&, double)> on_incumbent = {};  ///< told each time a plan is found that takes (s) at
+                                                                   ///< least a hundredth less than the one told before
+  std::function<void(int)> on_status = {};                         ///< told the evaluations so far, now and then
+};
 
 struct SearchResult {
   std::optional<Schedule> schedule;  ///< the fastest found, collision-free by the search's own judgement; not verified
   double duration = 0.0;             ///< s, of the schedule
+  double first_duration = 0.0;       ///< s, of the first plan that was found
   int evaluation_count = 0;          ///< samples drawn, edges tried, changes and proofs tried
+  int tree_count = 0;                ///< trees grown from the start
+  int node_count = 0;                ///< of the largest tree
+  std::size_t memory = 0;            ///< bytes that its nodes took
   bool budget_ran_out = false;       ///< stopped by the budget and not by its own count of evaluations
 };
 
-/// Searches motions of both arms by a tree in state-time space (OMPL), then shortens what it found. Theory, section 6.
-/// `systems` are the loaded arms' and have to outlive the schedule. `clearance` (m) is the demanded one with the
-/// planner's margin added. Arms rest at the problem's starts and goals; velocities there are not looked at. At the
-/// goals they stay: objects that move by themselves leave them `earliest_end` (s) at the earliest.
+/// Searches motions of both arms by trees in state-time space (OMPL), then shortens what they found. Theory, section 6.
+/// `systems` are the loaded arms' and have to outlive the schedule.
 ///
-/// Ends after about `evaluation_limit` evaluations (> 0; a last improvement is finished); the same problem, seed and
-/// limit give the same schedule, whatever else runs. A budget that runs out before leaves the best found so far.
-/// No schedule: none found, nothing proven. Intermediate positions may lie in the paper's conservative set
-/// (RegionModel::kPaper): the search keeps bodies apart, not to that set. Start delays are not bounded here.
-SearchResult search_state_time(const Problem& problem, const Systems& systems, double clearance, double earliest_end,
-                               int evaluation_limit, const Budget& budget);
+/// Ends after about as many evaluations as the rules allow once there is a plan, and four times as many if there is
+/// none (a last improvement is finished); the same problem, seed and rules give the same schedule, whatever else runs.
+/// A budget that runs out before leaves the best found so far. No schedule: none found, nothing proven. Intermediate
+/// positions may lie in the paper's conservative set (RegionModel::kPaper): the search keeps bodies apart, not to that
+/// set.
+SearchResult search_state_time(const Problem& problem, const Systems& systems, const SearchRules& rules,
+                               const Budget& budget);
 
 }  // namespace dualarm

@@ -29,10 +29,12 @@ class Budget {
     return Budget(now + std::chrono::duration_cast<Clock::duration>(share * (deadline_ - now)), cancelled_);
   }
 
-  /// For a short last step that is worth doing, as long as the caller still wants the answer: at least until `grace`
-  /// from now.
-  Budget with_grace(Clock::duration grace) const {
-    return Budget(std::max(deadline_, Clock::now() + grace), cancelled_);
+  /// For all but a last step that has to fit in: ends earlier by a share (0 to 1) of the time that is left from now on,
+  /// by `most` at most.
+  Budget leaving(double share, Clock::duration most) const {
+    if (deadline_ == Clock::time_point::max()) return *this;
+    const Clock::duration left = std::max(Clock::duration::zero(), deadline_ - Clock::now());
+    return Budget(deadline_ - std::min(most, std::chrono::duration_cast<Clock::duration>(share * left)), cancelled_);
   }
 
  private:

@@ -1,20 +1,24 @@
 #include "core/model/interval_set.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace dualarm {
 
-IntervalSet::IntervalSet(std::vector<Interval> intervals) {
-  std::erase_if(intervals, [](const Interval& interval) { return interval.empty(); });
-  std::sort(intervals.begin(), intervals.end(),
+IntervalSet::IntervalSet(std::vector<Interval> intervals) : intervals_(std::move(intervals)) {
+  std::erase_if(intervals_, [](const Interval& interval) { return interval.empty(); });
+  std::sort(intervals_.begin(), intervals_.end(),
             [](const Interval& left, const Interval& right) { return left.lower < right.lower; });
-  for (const Interval& interval : intervals) {
-    if (!intervals_.empty() && interval.lower <= intervals_.back().upper) {
-      intervals_.back().upper = std::max(intervals_.back().upper, interval.upper);
+  std::size_t count = 0;  // of those that are united already
+  for (const Interval& interval : intervals_) {
+    if (count > 0 && interval.lower <= intervals_[count - 1].upper) {
+      intervals_[count - 1].upper = std::max(intervals_[count - 1].upper, interval.upper);
     } else {
-      intervals_.push_back(interval);
+      intervals_[count++] = interval;
     }
   }
+  intervals_.resize(count);
 }
 
 bool IntervalSet::contains(double value) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -38,6 +39,7 @@ enum class Method { kSimultaneous, kDelay, kPassage, kStateTime };
 struct PlanOptions {
   double clearance = 0.0;  ///< m, >= 0, demanded between all bodies
   std::uint64_t seed = 0;  ///< of the fallback's search
+  std::size_t search_memory = std::size_t{32} << 20;  ///< bytes, > 0, that the fallback's tree may take
   RegionModel region_model = RegionModel::kExact;
   std::vector<Method> methods;                                       ///< allowed ones; empty = all
   double knot_period = 0.01;                                         ///< s, > 0, largest spacing while an arm moves

@@ -54,7 +54,7 @@ PassageProof passage_proof(const Problem& problem, double clearance, double long
   for (int i = 0; i < kArmCount; ++i) {
     const auto motion = fastest_motion(systems[i], problem.tasks[i].start, problem.tasks[i].goal, Swings::kSkip);
     if (std::holds_alternative<Blocked>(motion)) return {};
-    fastest.push_back(std::get<FastestMotion>(motion).profile);
+    fastest.push_back(std::get<FastestMotion>(motion).profile.asked_often());
   }
   const auto traveller = [&](int i) {
     return Traveller{&systems[i], problem.tasks[i].start, problem.tasks[i].goal, fastest[i]};

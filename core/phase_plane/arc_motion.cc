@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/phase_plane/extremal_rate.h"
+#include "core/phase_plane/motion_series.h"
 
 namespace dualarm {
 namespace {
@@ -40,6 +41,10 @@ constexpr double kShortestTravel = 1e-4;
 constexpr double kShort = 1e-6;
 /// Relative miss of a trace's end beyond which it is lost.
 constexpr double kLostTrace = 1e-8;
+/// Part of a step that its multiples round off.
+constexpr double kStepRounding = 1e-12;
+/// Part of a duration by which a series for times may tell another one.
+constexpr double kSameDuration = 1e-13;
 /// Rounding of a velocity, relative.
 constexpr double kVelocityRounding = 2e-16;
 
@@ -149,21 +154,37 @@ double ArcMotion::speed_squared(double change) const {
 
 double ArcMotion::change_at(double root) const { return away_ * std::max(0.0, root * root - virtual_rest_); }
 
-/// d(root)/dt at position = virtual rest +- root^2: what is left of the speed when the singularity of a rest end, or of
-/// an end close to it, is gone.
-double ArcMotion::speed_near_anchor(double root) const {
-  return std::sqrt(std::max(speed_squared(change_at(root)), 0.0)) / (2.0 * root);
+/// dt/d(root) at position = virtual rest +- root^2: what is left of the time's rate when the singularity of a rest end,
+/// or of an end close to it, is gone.
+double ArcMotion::slowness_near_anchor(double root) const {
+  return 2.0 * root / std::sqrt(std::max(speed_squared(change_at(root)), 0.0));
+}
+
+double ArcMotion::first_root() const { return std::sqrt(virtual_rest_); }
+
+double ArcMotion::last_root() const { return std::sqrt(virtual_rest_ + std::abs(end_.position - start_.position)); }
+
+void ArcMotion::expect_questions() {
+  if (kind_ == ArcKind::kCruise || mean_acceleration_ || trace_ || clock_) return;
+  const auto series =
+      IntegralSeries::of([this](double root) { return slowness_near_anchor(root); }, first_root(), last_root());
+  if (!series) return;
+  const double end = backlash_ + series->up_to(last_root());
+  if (std::abs(end - duration_) <= kSameDuration * duration_) clock_ = std::make_shared<IntegralSeries>(*series);
 }
 
 double ArcMotion::quadrature(double root) const {
-  const double first = std::sqrt(virtual_rest_);
+  const double first = first_root();
   if (root <= first) return 0.0;
+  if (clock_) return clock_->up_to(root);
   // Over [-1, 1], always: on shorter intervals Boost 1.74 compares an error of the unit interval with a tolerance of
   // the short one and subdivides to the last level.
   const double half = 0.5 * (root - first);
-  return half * boost::math::quadrature::gauss_kronrod<double, 21>::integrate(
-                    [&](double at) { return 1.0 / speed_near_anchor(first + half * (1.0 + at)); }, -1.0, 1.0,
-                    kQuadratureDepth, tolerance_);
+  const auto slowness = [&](double at) { return slowness_near_anchor(first + half * (1.0 + at)); };
+  using boost::math::quadrature::gauss_kronrod;
+  const bool is_lean = tolerance_ >= kLean;
+  return half * (is_lean ? gauss_kronrod<double, 15>::integrate(slowness, -1.0, 1.0, kQuadratureDepth, tolerance_)
+                         : gauss_kronrod<double, 21>::integrate(slowness, -1.0, 1.0, kQuadratureDepth, tolerance_));
 }
 
 double ArcMotion::time_from_anchor(double position) const {
@@ -201,14 +222,14 @@ JointState ArcMotion::at(double time) const {
 JointState ArcMotion::from_anchor(double time) const {
   time = std::max(0.0, time - backlash_);
   if (trace_) return trace_->at_time(from_start_ ? time : -time);
-  double low = std::sqrt(virtual_rest_);
-  double high = std::sqrt(virtual_rest_ + std::abs(end_.position - start_.position));
+  double low = first_root();
+  double high = last_root();
   double root = std::lerp(low, high, std::clamp(time / (duration_ - backlash_), 0.0, 1.0));
   // Newton in the root coordinate, where a start from rest is a straight line; bisection keeps it inside.
   for (int i = 0; i < 60 && root > 0.0; ++i) {
     const double excess = quadrature(root) - time;
     (excess > 0.0 ? high : low) = root;
-    const double step = -excess * speed_near_anchor(root);
+    const double step = -excess / slowness_near_anchor(root);
     if (std::abs(step) <= 1e-15 * root || high - low <= 1e-15 * high) break;
     const double next = root + step;
     root = low < next && next < high ? next : 0.5 * (low + high);
@@ -222,6 +243,7 @@ std::vector<JointState> ArcMotion::states(int count) const {
   const double step = duration_ / count;
   std::vector<JointState> states;
   if (kind_ == ArcKind::kCruise) {
+    states.reserve(count + 1);
     for (int i = 0; i <= count; ++i) states.push_back(at(step * i));
     states.back() = end_;
     return states;
@@ -231,7 +253,10 @@ std::vector<JointState> ArcMotion::states(int count) const {
   const bool backward = trace_ && !from_start_;
   const JointState& other_end = backward ? start_ : end_;
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
-    states = integrated(backward ? end_ : start_, backward ? -step : step, count, parts);
+    const JointState& from = backward ? end_ : start_;
+    const double signed_step = backward ? -step : step;
+    if (parts == 1) states = along_series(from, signed_step, count);
+    if (parts > 1 || states.empty()) states = integrated(from, signed_step, count, parts);
     const bool is_left = may_leave_miss(states.back(), other_end);
     if (!is_left && !(miss(states.back(), other_end) <= kEndTolerance)) continue;
     if (!is_left) spread_miss(states, other_end, backward ? -duration_ : duration_);
@@ -243,6 +268,29 @@ std::vector<JointState> ArcMotion::states(int count) const {
   states = {start_};
   for (int i = 1; i < count; ++i) states.push_back(at(step * i));
   states.push_back(end_);
+  return states;
+}
+
+/// States from one on, `count` steps of `step` s, many by one series; none where no series is known or reaches that
+/// far.
+std::vector<JointState> ArcMotion::along_series(const JointState& from, double step, int count) const {
+  std::vector<JointState> states = {from};
+  states.reserve(count + 1);
+  double way_before = 0.0;
+  for (int done = 0; done < count;) {
+    const auto series = MotionSeries::about(*system_, extreme_, {from.position + way_before, states.back().velocity});
+    if (!series) return {};
+    const double reach = series->reach(std::abs(step) * (count - done));
+    const int steps = std::min(count - done, static_cast<int>(reach / std::abs(step) * (1.0 + kStepRounding)));
+    if (steps < 1) return {};
+    PlaneState state = {};
+    for (int i = 1; i <= steps; ++i) {
+      state = series->at(step * i);
+      states.push_back({from.position + (way_before + state[0]), state[1]});
+    }
+    way_before += state[0];
+    done += steps;
+  }
   return states;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/model/trajectory.h"
+#include "core/phase_plane/integral_series.h"
 #include "core/phase_plane/system.h"
 #include "core/phase_plane/trace.h"
 
@@ -26,7 +28,13 @@ class ArcMotion {
   static constexpr double kExact = 1e-13;
   static constexpr double kLean = 1e-9;
 
+  /// Prepares for many questions about times, which a series then answers in a tenth of the time.
+  void expect_questions();
+
   double duration() const { return duration_; }  ///< s
+
+  /// The end of the admissible accelerations that is the arc's rule; nothing for a cruise.
+  std::optional<Extreme> extreme() const { return kind_ == ArcKind::kCruise ? std::nullopt : std::optional(extreme_); }
 
   /// Acceleration (rad/s2) of the arc's rule in a state; 0 for a cruise.
   double acceleration(JointState state) const;
@@ -52,11 +60,14 @@ class ArcMotion {
   bool slow_end_is_unsure(double direction) const;
   bool errors_fade_forward() const;
   double time_from_anchor(double position) const;
+  double first_root() const;
+  double last_root() const;
   double quadrature(double root) const;
   double change_at(double root) const;
-  double speed_near_anchor(double root) const;
+  double slowness_near_anchor(double root) const;
   double speed_squared(double change) const;
   JointState from_anchor(double time) const;
+  std::vector<JointState> along_series(const JointState& from, double step, int count) const;
   std::vector<JointState> integrated(const JointState& from, double step, int count, int parts) const;
   double miss(const JointState& state, const JointState& end) const;
   bool may_leave_miss(const JointState& state, const JointState& end) const;
@@ -75,8 +86,9 @@ class ArcMotion {
   double away_;                 ///< sign of position - anchor along the arc
   bool from_start_ = true;      ///< the anchor is the arc's start
   std::optional<Trace> trace_;  ///< from the anchor, where velocity enters
-  double virtual_rest_ = 0.0;   ///< rad, how far behind the anchor its speed would have been gained from rest
-  double backlash_ = 0.0;       ///< s, to stop at the anchor where its tiny velocity points against the arc
+  std::shared_ptr<const IntegralSeries> clock_;  ///< the quadrature, from the first root on
+  double virtual_rest_ = 0.0;  ///< rad, how far behind the anchor its speed would have been gained from rest
+  double backlash_ = 0.0;      ///< s, to stop at the anchor where its tiny velocity points against the arc
   double duration_;
 };
 

@@ -35,6 +35,10 @@ class MeteredSystem final : public System {
   }
   std::vector<double> position_bends(Interval within) const override { return system_.position_bends(within); }
   std::vector<double> velocity_bends() const override { return system_.velocity_bends(); }
+  bool extremal_series(Extreme extreme, JointState from, std::span<double> way) const override {
+    ++count_;
+    return system_.extremal_series(extreme, from, way);
+  }
   double stiffness() const override { return system_.stiffness(); }
 
  private:

@@ -69,7 +69,7 @@ class Path {
   double room(double position, double direction) const {
     return direction > 0.0 ? system_->range().upper - position : position - system_->range().lower;
   }
-  std::vector<double> between(const std::vector<double>& positions, double from, double to) const;
+  void add_between(const std::vector<double>& positions, double from, double to, std::vector<double>& found) const;
 
   const System* system_;
   double start_;

@@ -34,6 +34,12 @@ Profile::Profile(const System& system, std::vector<Arc> arcs) : system_(&system)
   }
 }
 
+Profile Profile::asked_often() const {
+  Profile prepared = *this;
+  for (ArcMotion& motion : prepared.motions_) motion.expect_questions();
+  return prepared;
+}
+
 Interval Profile::extent() const {
   Interval extent = {std::min(start(), goal()), std::max(start(), goal())};
   for (const Leg& leg : legs_) extent = {std::min(extent.lower, leg.goal), std::max(extent.upper, leg.goal)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/model/interval_set.h"
@@ -36,6 +37,9 @@ class Profile {
   /// kHold.
   Profile(const System& system, std::vector<Arc> arcs);
 
+  /// The same motion, prepared for many questions about times.
+  Profile asked_often() const;
+
   double duration() const { return duration_; }        ///< s
   JointState start_state() const { return start_; }    ///< at 0
   JointState goal_state() const { return goal_; }      ///< at duration()
@@ -51,6 +55,9 @@ class Profile {
 
   /// Its stretches of one direction, in order of time. Empty where it stands still.
   const std::vector<Leg>& legs() const { return legs_; }
+
+  /// The end of the admissible accelerations that is the rule of one of arcs(); nothing for a cruise.
+  std::optional<Extreme> extreme_on(const Arc& arc) const { return motion_of(arc).extreme(); }
 
   /// Acceleration (rad/s2) that the rule of one of arcs() gives in a state.
   double acceleration_on(const Arc& arc, JointState state) const;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "core/model/problem.h"
 #include "geometry/interval.h"
 
 namespace dualarm {
@@ -58,6 +60,12 @@ class System {
 
   /// At which velocities the accelerations have a bend as functions of s_dot, ascending; standstill need not be listed.
   virtual std::vector<double> velocity_bends() const = 0;
+
+  /// Fills in the coefficients of powers of time of the way (rad) from a state along an extremal arc, and says yes; or
+  /// no, where accelerations have bends or no such series is known.
+  virtual bool extremal_series(Extreme /*extreme*/, JointState /*from*/, std::span<double> /*way*/) const {
+    return false;
+  }
 
   /// The largest -d(acceleration)/ds of either end at standstill over all s, inside the range or not, 1/s2; >= 0.
   virtual double stiffness() const = 0;

@@ -18,6 +18,7 @@ constexpr double kShortestGain = 1e-10;
 /// By what factor an arc is faster on its way than at both its ends where it is cut: seen from either end the other one
 /// would be a singularity of the time.
 constexpr double kSwell = 10.0;
+constexpr std::size_t kUsualArcs = 4;  ///< of a leg, at most
 
 Blocked blocked_by(const Obstruction& obstruction, const Path& path, JointState to) {
   const double position = path.position(obstruction.x);
@@ -41,7 +42,9 @@ class ArcChain {
       : path_(path),
         from_(from),
         shortest_(std::min(kShortestArc * (1.0 + std::abs(to.position)),
-                           kShortestShare * std::abs(to.position - from.position))) {}
+                           kShortestShare * std::abs(to.position - from.position))) {
+    arcs_.reserve(kUsualArcs);
+  }
 
   /// `next` is the stretch that follows, if any.
   void add(const Stretch& stretch, const Stretch* next = nullptr) {
@@ -115,6 +118,14 @@ class ArcChain {
   std::vector<Arc> arcs_;
 };
 
+void append(std::vector<Arc>& arcs, std::vector<Arc>&& more) {
+  if (arcs.empty()) {
+    arcs = std::move(more);
+  } else {
+    arcs.insert(arcs.end(), more.begin(), more.end());
+  }
+}
+
 /// One leg from one state to another, which do not point against it.
 std::optional<Blocked> append_leg(const System& system, JointState from, JointState to, std::vector<Arc>& arcs) {
   const Path path(system, from.position, to.position);
@@ -125,8 +136,7 @@ std::optional<Blocked> append_leg(const System& system, JointState from, JointSt
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     chain.add(stretches[i], i + 1 < stretches.size() ? &stretches[i + 1] : nullptr);
   }
-  const std::vector<Arc> leg = std::move(chain).end_in(to);
-  arcs.insert(arcs.end(), leg.begin(), leg.end());
+  append(arcs, std::move(chain).end_in(to));
   return std::nullopt;
 }
 
@@ -219,7 +229,7 @@ std::optional<ArcsOrBlocked> one_way_motion(const System& system, JointState sta
   }
   auto& last = std::get<std::vector<Arc>>(after);
   if (!arcs.empty() && !last.empty()) last.front().start = arcs.back().end;
-  arcs.insert(arcs.end(), last.begin(), last.end());
+  append(arcs, std::move(last));
   if (!arcs.empty() && arcs.front().kind != ArcKind::kCruise) arcs.front().start = start;
   if (!arcs.empty()) arcs.back().end = goal;
   return before;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace dualarm {
@@ -137,12 +138,13 @@ class Player {
 
   std::vector<Knot> knots_along(const Profile& profile, const Arc& arc, const Arc& placed, int count) const {
     const double step = (placed.end_time - placed.start_time) / count;
+    const std::optional<Extreme> extreme = profile.extreme_on(arc);
     std::vector<Knot> knots;
     knots.reserve(count + 1);
     for (const JointState& state : profile.states_along(arc, count)) {
-      const double acceleration = profile.acceleration_on(arc, state);
+      const SingleJointArm::Drive drive = system_.drive(extreme, state);
       const double time = placed.start_time + step * static_cast<double>(knots.size());
-      knots.push_back({time, state.position, state.velocity, acceleration, system_.torque(state, acceleration)});
+      knots.push_back({time, state.position, state.velocity, drive.acceleration, drive.torque});
     }
     knots.back().time = placed.end_time;
     return knots;
@@ -150,15 +152,15 @@ class Player {
 
   /// The largest part of what it may by which the quintic departs from the arc's acceleration half way between knots.
   double unfaithfulness(const Profile& profile, const Arc& arc, const std::vector<Knot>& knots) const {
+    const std::optional<Extreme> extreme = profile.extreme_on(arc);
     double largest = 0.0;
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
       const Middle middle = middle_of(knots[i], knots[i + 1]);
       const double h = knots[i + 1].time - knots[i].time;
-      const double scale = system_.acceleration(middle.position, middle.velocity).length();
+      const SingleJointArm::Drive drive = system_.drive(extreme, {middle.position, middle.velocity});
       const double rounding = rounding_of(knots[i].time, {middle.position, middle.velocity}) / (h * h);
-      const double error =
-          std::abs(middle.acceleration - profile.acceleration_on(arc, {middle.position, middle.velocity}));
-      const double part = error / (kInterpolationError * scale + rounding);
+      const double error = std::abs(middle.acceleration - drive.acceleration);
+      const double part = error / (kInterpolationError * drive.span + rounding);
       if (!std::isfinite(part)) return std::numeric_limits<double>::infinity();  // so long that it ran away
       largest = std::max(largest, part);
     }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Interval kEverywhere = {-kInfinity, kInfinity};
+constexpr std::size_t kMostTerms = 32;  ///< of a series
 
 }  // namespace
 
@@ -91,6 +92,45 @@ double SingleJointArm::stiffness() const {
   const double fall =
       std::max(at_rest_[index(Extreme::kLowest)].steepest_fall(), at_rest_[index(Extreme::kHighest)].steepest_fall());
   return (std::abs(gravity_.amplitude) + fall) / inertia_;
+}
+
+bool SingleJointArm::extremal_series(Extreme extreme, JointState from, std::span<double> way) const {
+  const auto* constant = std::get_if<Interval>(&torque_);
+  if (constant == nullptr || way.size() > kMostTerms) return false;
+  // Sine and cosine of the angle as series of their own: (sin)' = cos angle', (cos)' = -sin angle'.
+  std::array<double, kMostTerms> sines;
+  std::array<double, kMostTerms> cosines;
+  std::array<double, kMostTerms> rate;  // of the angle, which is that of the way
+  sines[0] = std::sin(from.position - gravity_.phase);
+  cosines[0] = std::cos(from.position - gravity_.phase);
+  rate[0] = from.velocity;
+  way[0] = 0.0;
+  const double per_inertia = 1.0 / inertia_;
+  for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+    const double share = 1.0 / static_cast<double>(k + 1);
+    way[k + 1] = rate[k] * share;
+    const double torque =
+        (k == 0 ? torque_end(extreme, *constant) : 0.0) - gravity_.amplitude * sines[k] - friction_ * rate[k];
+    rate[k + 1] = torque * per_inertia * share;
+    double of_sine = 0.0;
+    double of_cosine = 0.0;
+    for (std::size_t j = 0; j <= k; ++j) {
+      of_sine += rate[j] * cosines[k - j];
+      of_cosine -= rate[j] * sines[k - j];
+    }
+    sines[k + 1] = of_sine * share;
+    cosines[k + 1] = of_cosine * share;
+  }
+  return true;
+}
+
+SingleJointArm::Drive SingleJointArm::drive(std::optional<Extreme> extreme, JointState state) const {
+  const double held = gravity_.amplitude * std::sin(state.position - gravity_.phase) + rubbed_off(state.velocity);
+  const Interval limits = torque_limits(torque_, state.position, state.velocity);
+  const double span = limits.length() / inertia_;
+  if (!extreme) return {0.0, held, span};
+  const double torque = torque_end(*extreme, limits);
+  return {(torque - held) / inertia_, torque, span};
 }
 
 double SingleJointArm::torque(JointState state, double acceleration) const {

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/model/arm.h"
@@ -36,6 +38,19 @@ class SingleJointArm final : public System {
   /// An upper bound, and under limits that do not depend on the position the value itself: gravity's largest share and
   /// the limits' largest share, though they may fall to different positions.
   double stiffness() const override;
+
+  /// Where the torque limit is constant.
+  bool extremal_series(Extreme extreme, JointState from, std::span<double> way) const override;
+
+  /// What the drive does in a state.
+  struct Drive {
+    double acceleration = 0.0;  ///< rad/s2
+    double torque = 0.0;        ///< N m
+    double span = 0.0;          ///< rad/s2, between the lowest and the highest acceleration
+  };
+
+  /// With an end of the torque limit, or, where none is named, at constant velocity.
+  Drive drive(std::optional<Extreme> extreme, JointState state) const;
 
   /// Torque (N m) the drive has to give in a state for an acceleration (rad/s2).
   double torque(JointState state, double acceleration) const;

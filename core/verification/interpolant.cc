@@ -30,6 +30,14 @@ std::array<double, kSize - 1> differentiated(const std::array<double, kSize>& be
   return derivative;
 }
 
+/// What the derivative of an order makes of a power: power (power - 1) ... (power - order + 1).
+constexpr std::array<std::array<double, 6>, 6> kFalling = {{{1.0, 1.0, 1.0, 1.0, 1.0, 1.0},
+                                                            {0.0, 1.0, 2.0, 3.0, 4.0, 5.0},
+                                                            {0.0, 0.0, 2.0, 6.0, 12.0, 20.0},
+                                                            {0.0, 0.0, 0.0, 6.0, 24.0, 60.0},
+                                                            {0.0, 0.0, 0.0, 0.0, 24.0, 120.0},
+                                                            {0.0, 0.0, 0.0, 0.0, 0.0, 120.0}}};
+
 constexpr std::size_t kBlockSize = 256;  // pieces
 
 }  // namespace
@@ -85,13 +93,16 @@ Quintic::Quintic(const Knot& start, const Knot& end) : start_(start.time), durat
 double Quintic::derivative(int order, double time) const {
   const double u = std::clamp((time - start_) / duration_, 0.0, 1.0);
   double value = 0.0;
-  for (int power = 5; power >= order; --power) {
-    double factor = 1.0;
-    for (int i = 0; i < order; ++i) factor *= power - i;
-    value = value * u + factor * coefficients_[power];
-  }
+  for (int power = 5; power >= order; --power) value = value * u + kFalling[order][power] * coefficients_[power];
   for (int i = 0; i < order; ++i) value /= duration_;
   return value;
+}
+
+Interval Quintic::range(int order) const {
+  const double start = derivative(order, start_);
+  const double end = derivative(order, start_ + duration_);
+  const double departure = most_[order + 2] * duration_ * duration_ / 8.0;
+  return {std::min(start, end) - departure, std::max(start, end) + departure};
 }
 
 std::array<double, 6> Quintic::in_the_middle() const {
@@ -110,6 +121,7 @@ std::array<double, 6> Quintic::in_the_middle() const {
 
 Interpolant::Interpolant(const std::vector<Knot>& knots)
     : start_{knots.front().position, knots.front().velocity}, end_{knots.back().position, knots.back().velocity} {
+  pieces_.reserve(knots.size());
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     if (!share_a_time(knots[k], knots[k + 1])) pieces_.emplace_back(knots[k], knots[k + 1]);
   }

@@ -26,6 +26,10 @@ class Quintic {
   /// All derivatives of order 0 to 5 (rad/s^order) in the middle of the piece.
   std::array<double, 6> in_the_middle() const;
 
+  /// An interval that contains a derivative of order 0 to 3 (rad/s^order) over the whole piece: its chord, and what the
+  /// second derivative of that can make of it.
+  Interval range(int order) const;
+
   /// Upper bound on the magnitude of a derivative, order 1 to 5, over the whole piece.
   double most(int order) const { return most_[order]; }
 

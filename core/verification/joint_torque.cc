@@ -50,7 +50,7 @@ Interval extremes(std::array<double, 5> left, int halvings) {
 
 }  // namespace
 
-Interval JointTorque::over(const Quintic& piece) const {
+Interval JointTorque::over(const Quintic& piece, Interval enough) const {
   std::array<double, 6> q = piece.in_the_middle();
   q[0] -= gravity_.phase;
   const std::array<double, 5> sine = of_sine(q);
@@ -65,17 +65,29 @@ Interval JointTorque::over(const Quintic& piece) const {
   }
   // What a quintic leaves of the velocity after degree four is nothing, of the acceleration after three.
   const double remainder = factor * std::abs(gravity_.amplitude) * most_fifth_of_sine(piece);
+  const auto after = [&](int halvings) {
+    const Interval polynomial = extremes(bernstein, halvings);
+    return Interval{polynomial.lower - remainder, polynomial.upper + remainder};
+  };
+  const Interval quick = after(0);
   constexpr int kHalvings = 2;
-  const Interval polynomial = extremes(bernstein, kHalvings);
-  return {polynomial.lower - remainder, polynomial.upper + remainder};
+  return enough.contains(quick.lower) && enough.contains(quick.upper) ? quick : after(kHalvings);
+}
+
+double JointTorque::second_derivative(const std::array<double, 6>& q) const {
+  const double angle = q[0] - gravity_.phase;
+  const double of_gravity = std::cos(angle) * q[2] - std::sin(angle) * q[1] * q[1];
+  const double without_friction = inertia_ * q[4] + gravity_.amplitude * of_gravity;
+  return friction_ == 0.0 ? without_friction : without_friction + friction_ * q[3];
 }
 
 double JointTorque::second_derivative(const Quintic& piece, double time) const {
-  const double angle = piece.derivative(0, time) - gravity_.phase;
-  const double velocity = piece.derivative(1, time);
-  const double of_gravity = std::cos(angle) * piece.derivative(2, time) - std::sin(angle) * velocity * velocity;
-  const double without_friction = inertia_ * piece.derivative(4, time) + gravity_.amplitude * of_gravity;
-  return friction_ == 0.0 ? without_friction : without_friction + friction_ * piece.derivative(3, time);
+  return second_derivative({piece.derivative(0, time), piece.derivative(1, time), piece.derivative(2, time),
+                            piece.derivative(3, time), piece.derivative(4, time), 0.0});
+}
+
+double JointTorque::most_second_derivative(const Quintic& piece) const {
+  return std::abs(second_derivative(piece.in_the_middle())) + most_third_derivative(piece) * 0.5 * piece.duration();
 }
 
 double JointTorque::most_third_derivative(const Quintic& piece) const {

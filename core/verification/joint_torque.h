@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "core/model/arm.h"
@@ -39,8 +40,11 @@ class JointTorque {
   /// An interval (N m) that contains the torque over all of a piece of motion: by the Taylor polynomial of degree four
   /// in the middle, the remainder that the bounds on the derivatives leave, and the polynomial's Bernstein
   /// coefficients. Where the torque is constant while inertia and gravity change against each other, it is tight to
-  /// rounding and to the fifth power of the piece's length.
-  Interval over(const Quintic& piece) const;
+  /// rounding and to the fifth power of the piece's length. No tighter than it takes to lie within `enough`.
+  Interval over(const Quintic& piece, Interval enough = {0.0, 0.0}) const;
+
+  /// Upper bound on the magnitude of the second derivative, N m/s2, over a piece of motion.
+  double most_second_derivative(const Quintic& piece) const;
 
   /// N m, along a piece of motion. The curvature bound is tight on fastest motions, where the torque is constant while
   /// inertia, gravity and friction change against each other: it takes their sum in the middle of an interval, exactly,
@@ -48,6 +52,9 @@ class JointTorque {
   Quantity along(const Quintic& piece) const;
 
  private:
+  /// From the derivatives of the position.
+  double second_derivative(const std::array<double, 6>& q) const;
+
   double inertia_;
   GravityTorque gravity_;
   double friction_;

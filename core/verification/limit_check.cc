@@ -20,9 +20,18 @@ Quantity position_along(const Quintic& piece) {
           0.0};
 }
 
-Quantity velocity_along(const Quintic& piece, double most_rounding) {
+Quantity velocity_along(const Quintic& piece, double rounding) {
   return {[&piece](double time) { return piece.derivative(1, time); }, [&piece](Interval) { return piece.most(3); },
-          std::min(most_rounding, piece.velocity_rounding())};
+          rounding};
+}
+
+/// The least and the largest value at knots, which use more than all between them.
+void visit_extremes(PeakSearch& search, const std::vector<Knot>& knots, double Knot::*what) {
+  const auto less = [what](const Knot& left, const Knot& right) { return left.*what < right.*what; };
+  for (const auto& knot :
+       {std::min_element(knots.begin(), knots.end(), less), std::max_element(knots.begin(), knots.end(), less)}) {
+    search.visit(knot->time, (*knot).*what);
+  }
 }
 
 /// How much rounding of torques a motion is forgiven. Less than the tolerance is free; what is more is a velocity over
@@ -92,7 +101,9 @@ class TorqueLimitSearch {
 
   void visit(const Quintic& piece, double rounding) {
     if (changing_) return changing_->visit(piece, rounding);
-    if (constant_->visit_range(torque_.over(piece), rounding)) return;
+    const Interval enough = constant_->enough_values();
+    const Interval bound = torque_.over(piece, {enough.lower - rounding, enough.upper + rounding});
+    if (constant_->visit_range(bound, rounding)) return;
     Quantity along = torque_.along(piece);
     along.rounding = rounding;
     constant_->visit(along, piece.time());
@@ -124,19 +135,20 @@ LimitReport check_limits(const Arm& arm, const std::vector<Knot>& knots, const I
   PeakSearch velocity(share_of_velocity, kPeakSlack * kVelocityTolerance);
   TorqueLimitSearch torque(torque_of_motion, arm.torque);
 
-  for (const Knot& knot : knots) {
-    range.visit(knot.time, knot.position);
-    velocity.visit(knot.time, knot.velocity);
-    torque.visit(knot);
-  }
+  visit_extremes(range, knots, &Knot::position);
+  visit_extremes(velocity, knots, &Knot::velocity);
+  for (const Knot& knot : knots) torque.visit(knot);
   const double most_velocity_rounding = kMostVelocityRounding * share_of_velocity.unit();
   Forgiveness forgiveness(kTorqueTolerance * least_half_width(arm.torque), knots);
   bool is_complete = true;
   for (const Quintic& piece : motion.pieces()) {
     is_complete = !budget.exhausted();
     if (!is_complete) break;
-    range.visit(position_along(piece), piece.time());
-    velocity.visit(velocity_along(piece, most_velocity_rounding), piece.time());
+    if (!range.visit_range(piece.range(0), 0.0)) range.visit(position_along(piece), piece.time());
+    const double velocity_rounding = std::min(most_velocity_rounding, piece.velocity_rounding());
+    if (!velocity.visit_range(piece.range(1), velocity_rounding)) {
+      velocity.visit(velocity_along(piece, velocity_rounding), piece.time());
+    }
     torque.visit(piece, forgiveness.of(piece, torque_of_motion.rounding(piece)));
   }
 

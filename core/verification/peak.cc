@@ -9,8 +9,10 @@
 namespace dualarm {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 /// What is not a number uses more than any limit.
-double or_infinite(double share) { return std::isnan(share) ? std::numeric_limits<double>::infinity() : share; }
+double or_infinite(double share) { return std::isnan(share) ? kInfinity : share; }
 
 double half_width_of(Interval limits) {
   if (std::isfinite(limits.lower) == std::isfinite(limits.upper)) return 0.5 * limits.upper - 0.5 * limits.lower;
@@ -28,24 +30,44 @@ Share Share::by_side(Interval limits) {
 Share Share::from_middle(Interval limits) { return {0.5 * (limits.lower + limits.upper), limits}; }
 
 double Share::of(double value, double rounding) const {
-  const double nearest = value > origin_ ? std::max(origin_, value - rounding) : std::min(origin_, value + rounding);
-  if (std::isnan(value) || std::isnan(nearest)) return std::numeric_limits<double>::infinity();
-  if (nearest > limits_.upper) return or_infinite(1.0 + (nearest - limits_.upper) / half_width_);
-  if (nearest < limits_.lower) return or_infinite(1.0 + (limits_.lower - nearest) / half_width_);
-  const double used = nearest - origin_;
+  const double least = nearest(value, rounding);
+  if (std::isnan(least)) return kInfinity;
+  if (least > limits_.upper) return or_infinite(1.0 + (least - limits_.upper) / half_width_);
+  if (least < limits_.lower) return or_infinite(1.0 + (limits_.lower - least) / half_width_);
+  const double used = least - origin_;
   return used == 0.0 ? 0.0 : or_infinite(used / ((used > 0.0 ? limits_.upper : limits_.lower) - origin_));
 }
 
+Interval Share::values_within(double share) const {
+  if (!(share >= 0.0)) return {kInfinity, -kInfinity};
+  const auto beyond = [&](double limit, double sign) {
+    if (std::isinf(limit) || std::isinf(share)) return sign * kInfinity;
+    return share <= 1.0 ? origin_ + share * (limit - origin_) : limit + sign * (share - 1.0) * half_width_;
+  };
+  return {beyond(limits_.lower, -1.0), beyond(limits_.upper, 1.0)};
+}
+
+double PeakSearch::proven() const {
+  if (included_.empty()) return proven_;
+  return std::max({proven_, share_.of(included_.lower), share_.of(included_.upper)});
+}
+
+void PeakSearch::include(double lowest, double highest) {
+  included_ = {std::min(included_.lower, lowest), std::max(included_.upper, highest)};
+}
+
 void PeakSearch::visit(double time, double value) {
+  if (attained_values_.contains(value)) return include(value, value);
   const double share = share_.of(value);
   attain(time, value, share);
   proven_ = std::max(proven_, share);
 }
 
 bool PeakSearch::visit_range(Interval values, double rounding) {
-  const double bound = std::max(share_.of(values.upper, rounding), share_.of(values.lower, rounding));
-  if (!is_close(bound)) return false;
-  proven_ = std::max(proven_, bound);
+  const double lowest = share_.nearest(values.lower, rounding);
+  const double highest = share_.nearest(values.upper, rounding);
+  if (!enough_values_.contains(lowest) || !enough_values_.contains(highest)) return false;
+  include(lowest, highest);
   return true;
 }
 
@@ -71,9 +93,15 @@ void PeakSearch::search(const Quantity& quantity, Interval time, double start, d
 
 void PeakSearch::attain(double time, double value, double share) {
   if (!(or_infinite(share) > attained_)) return;
-  attained_ = or_infinite(share);
+  set_attained(or_infinite(share));
   value_ = value;
   time_ = time;
+}
+
+void PeakSearch::set_attained(double share) {
+  attained_ = share;
+  attained_values_ = share_.values_within(attained_);
+  enough_values_ = share_.values_within(enough());
 }
 
 }  // namespace dualarm

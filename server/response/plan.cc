@@ -70,12 +70,13 @@ wire::Gate gate_message(const Gate& gate, const Trajectory& trajectory) {
   return message;
 }
 
-wire::GoalVisit visit_message(const GoalVisit& visit, const Trajectory& trajectory) {
-  wire::GoalVisit message;
+wire::ObjectVisit visit_message(const ObjectVisit& visit, const Trajectory& trajectory) {
+  wire::ObjectVisit message;
   message.set_arm(trajectory[visit.arm].arm);
   message.set_object(visit.object);
   message.set_body(visit.body);
   message.set_until_s(visit.until);
+  message.set_position_rad(visit.position);
   return message;
 }
 

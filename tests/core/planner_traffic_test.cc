@@ -3,13 +3,16 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/coordination/diagram.h"
 #include "core/coordination/moving_objects.h"
 #include "core/coordination/start_times.h"
+#include "core/passage/traffic_proof.h"
 #include "core/planner.h"
 #include "tests/core/coordination/random_traffic.h"
 #include "tests/core/planner_answers.h"
+#include "tests/support/dice.h"
 #include "tests/support/independent_check.h"
 
 namespace dualarm {
@@ -110,6 +113,85 @@ TEST(PlanAmongMovingObjects, DoesNotEndBeforeTheLastHasPassedAGoal) {
     EXPECT_EQ(found.certificate.visit->object, "ball");
     EXPECT_GE(found.duration, found.certificate.lower_bound);
   }
+}
+
+/// Arm 1 of the problem above, with a ball at 45 degrees, 5 m out, that lets it pass from about `end` (s) on.
+Problem waiting_ball_problem(double end) {
+  Problem problem = falling_ball_problem(0.0, false);
+  const auto at_height = [](double height) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = Eigen::Vector3d(2.5 * std::sqrt(2.0), 2.5 * std::sqrt(2.0), height);
+    return pose;
+  };
+  problem.objects[0].placement = MovingPlacement{PoseTrack({{end, at_height(0.0)}, {end + 0.01, at_height(9.0)}})};
+  return problem;
+}
+
+/// The time (s) that arm 1 of the paper takes to brake from a position (rad) on the way to rest at a goal, by backward
+/// integration, at no more than its velocity limit.
+double braking_time(const Arm& arm, double from, double goal) {
+  const double step = 1e-5;
+  double position = goal;
+  double velocity = 0.0;
+  double time = 0.0;
+  for (; position > from; time += step) {
+    const double gravity = arm.gravity.amplitude * std::sin(position - arm.gravity.phase);
+    const double braking = (gravity - std::get<Interval>(arm.torque).lower) / arm.inertia;
+    velocity = std::min(arm.velocity.upper, velocity + step * braking);
+    position -= step * velocity;
+  }
+  return time;
+}
+
+TEST(PlanAmongMovingObjects, IsBoundByWhatStandsInTheWayUntilLate) {
+  for (const double end : {2.0, 7.0, 40.0}) {
+    SCOPED_TRACE(end);
+    const Problem problem = waiting_ball_problem(end);
+    const Plan found = must_plan(problem);
+    // Seen from the arm's axis the ball with the link's radius and the margin covers asin(0.25 / 5) to either side. It
+    // is gone when it has risen by 0.25 m.
+    const double edge = 0.25 * std::numbers::pi - std::asin(0.25 / 5.0);
+    const double in_the_middle =
+        end + 0.01 * 0.25 / 9.0 + braking_time(problem.arms[0], 0.25 * std::numbers::pi, 1.0472);
+    EXPECT_GT(found.certificate.lower_bound, in_the_middle - 1e-3);
+    EXPECT_LT(found.certificate.lower_bound, end + 0.01 + braking_time(problem.arms[0], edge, 1.0472));
+    EXPECT_EQ(found.certificate.source, LowerBoundSource::kMovingObject);
+    EXPECT_LT(found.certificate.gap, 0.2);
+  }
+}
+
+TEST(PlanAmongMovingObjects, IsNeverFasterThanItsBound) {
+  constexpr int kSeed = 11;
+  SCOPED_TRACE(kSeed);
+  Dice dice(kSeed);
+  int bound_by_objects = 0;
+  for (int scene = 0; scene < 24; ++scene) {
+    SCOPED_TRACE(scene);
+    Problem problem = falling_ball_problem(0.0, false);
+    const auto pose_at = [](double x, double y) {
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      pose.translation() = Eigen::Vector3d(x, y, 0.0);
+      return pose;
+    };
+    std::vector<TimedPose> poses;
+    for (int i = 0; i < 3; ++i) {
+      poses.push_back({dice.between(1.0, 2.0) * (i + 0.1), pose_at(dice.between(0.0, 6.0), dice.between(2.0, 6.0))});
+    }
+    poses.push_back({8.0, pose_at(9.0, 9.0)});
+    problem.objects[0].shape = Box{Eigen::Isometry3d::Identity(), {0.3, 0.2, 0.1}};
+    problem.objects[0].placement = MovingPlacement{PoseTrack(poses)};
+    const auto proof = traffic_proof(problem, 0.0, 0.0, 1e4, Budget());  // looks beyond every plan that is known
+    bound_by_objects += proof ? 1 : 0;
+    for (const Method method : {Method::kDelay, Method::kStateTime}) {
+      problem.options.methods = {method};
+      const Outcome outcome = plan(problem, Budget());
+      const auto* found = std::get_if<Plan>(&outcome.answer);
+      if (found == nullptr) continue;
+      EXPECT_GE(found->duration, found->certificate.lower_bound * (1.0 - 1e-9));
+      EXPECT_GE(found->duration, proof ? proof->duration : 0.0);
+    }
+  }
+  EXPECT_GT(bound_by_objects, 10);
 }
 
 TEST(PlanAmongMovingObjects, MayEndBeforeOnePassesAGoalThatAnArmLeaves) {

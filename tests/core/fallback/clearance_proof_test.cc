@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 5;
 constexpr double kClearance = 0.02;
+const Budget kUnlimited;
 
 struct Verdict {
   bool proven;
@@ -50,7 +51,7 @@ TEST(ClearanceProof, NeverHoldsForMotionsThatComeTooClose) {
   Problem problem = retreat_problem();
   problem.objects.push_back(standing_ball(-3.0, 3.0));
   const ArmSystems arms(problem);
-  const ClearanceProof proof(problem, kClearance);
+  const ClearanceProof proof(problem, kClearance, kUnlimited);
   Random random(kSeed);
   int proven = 0;
   int refused = 0;
@@ -69,7 +70,7 @@ TEST(ClearanceProof, NeverHoldsForMotionsThatComeTooClose) {
 
 TEST(ClearanceProof, MeasuresWhatIsLeftBeyondTheClearance) {
   const Problem problem = retreat_problem();
-  const ClearanceProof proof(problem, kClearance);
+  const ClearanceProof proof(problem, kClearance, kUnlimited);
   // Both upright, parallel, 8 m apart, radii 0.05 m each.
   EXPECT_NEAR(proof.slack({90.0 * kDegree, 90.0 * kDegree}), 8.0 - 0.1 - kClearance, 1e-4);
   EXPECT_LT(proof.slack({30.0 * kDegree, 30.0 * kDegree}), 0.0);
@@ -79,14 +80,14 @@ TEST(ClearanceProof, CountsFixedAndCarriedBodies) {
   Problem problem = retreat_problem();
   const JointPair upright = {90.0 * kDegree, 90.0 * kDegree};
   problem.objects.push_back(standing_ball(1.0, 5.0));
-  EXPECT_NEAR(ClearanceProof(problem, 0.0).slack(upright), 1.0 - 0.05 - 0.2, 1e-4);
+  EXPECT_NEAR(ClearanceProof(problem, 0.0, kUnlimited).slack(upright), 1.0 - 0.05 - 0.2, 1e-4);
 
   AttachedPlacement hook;
   hook.arm = 1;
   hook.pose_in_link.translation() = Eigen::Vector3d(6.0, 0.0, 0.0);
   const Capsule towards_left = {{0.0, 0.0, 0.0}, {0.0, 7.5, 0.0}, 0.1};
   problem.objects = {{"bar", towards_left, hook}};
-  EXPECT_NEAR(ClearanceProof(problem, 0.0).slack(upright), 0.5 - 0.05 - 0.1, 1e-4);
+  EXPECT_NEAR(ClearanceProof(problem, 0.0, kUnlimited).slack(upright), 0.5 - 0.05 - 0.1, 1e-4);
 }
 
 TEST(ClearanceProof, HoldsForArmsThatRestApart) {
@@ -94,14 +95,14 @@ TEST(ClearanceProof, HoldsForArmsThatRestApart) {
   const ArmSystems arms(problem);
   const ProfileTable first(*steer(*arms.both()[0], 1.5, 1.5));
   const ProfileTable second(*steer(*arms.both()[1], 1.5, 1.5));
-  const ClearanceProof proof(problem, kClearance);
+  const ClearanceProof proof(problem, kClearance, kUnlimited);
   EXPECT_TRUE(proof.proves({Track{{0.0, &first}}, Track{{0.0, &second}}}, {0.0, 1.0}));
 }
 
 TEST(ClearanceProof, SeesAMotionThatSwingsIntoTheOtherArmAndBack) {
   const Problem problem = retreat_problem();
   const ArmSystems arms(problem);
-  const ClearanceProof proof(problem, kClearance);
+  const ClearanceProof proof(problem, kClearance, kUnlimited);
   const double away = 100.0 * kDegree;
   const double into = 20.0 * kDegree;
   std::vector<Arc> arcs = steer(*arms.both()[0], away, into).value().arcs();
@@ -171,7 +172,7 @@ TEST(ClearanceProof, NeverHoldsForMotionsThatComeTooCloseToAnyShapeCarriedOrStan
   SCOPED_TRACE(kSeed);
   const Problem problem = crowded_problem();
   const ArmSystems arms(problem);
-  const ClearanceProof proof(problem, kClearance);
+  const ClearanceProof proof(problem, kClearance, kUnlimited);
   Random random(kSeed);
   int proven = 0;
   int refused = 0;
@@ -211,7 +212,7 @@ TEST(ClearanceProof, MeetsAMovingObjectOnlyAtItsTime) {
   const ProfileTable first(*steer(*arms.both()[0], upright, upright));
   const ProfileTable second(*steer(*arms.both()[1], upright, upright));
   const std::array<Track, kArmCount> resting = {Track{{0.0, &first}}, Track{{0.0, &second}}};
-  const ClearanceProof proof(problem, kClearance);
+  const ClearanceProof proof(problem, kClearance, kUnlimited);
   EXPECT_TRUE(proof.proves(resting, {0.0, 4.4}));
   EXPECT_FALSE(proof.proves(resting, {0.0, 4.6})) << "it is at the first arm at 4.5 s";
   EXPECT_FALSE(proof.proves(resting, {4.45, 4.6}));
@@ -221,8 +222,31 @@ TEST(ClearanceProof, MeetsAMovingObjectOnlyAtItsTime) {
   EXPECT_NEAR(proof.slack({upright, upright}), 8.0 - 0.1 - kClearance, 1e-4) << "rests are judged without it";
 }
 
+TEST(ClearanceProof, KnowsWhenAnObjectHasLeftAPlaceForGood) {
+  Problem problem = retreat_problem();
+  problem.objects = {passing_ball({-9.0, 5.0, 0.0}, {9.0, 5.0, 0.0}, {4.0, 5.0})};
+  const double upright = 90.0 * kDegree;
+  const ClearanceProof proof(problem, kClearance, kUnlimited);
+  // 18 m/s past an arm of 0.05 m with 0.3 m: it is at the arm at 4.5 s.
+  EXPECT_NEAR(proof.free_from(0, upright), 4.5 + (0.3 + 0.05 + kClearance) / 18.0, 1e-3);
+  EXPECT_EQ(proof.free_from(0, 0.0), -std::numeric_limits<double>::infinity());
+  problem.objects = {passing_ball({-9.0, 5.0, 0.0}, {0.0, 5.0, 0.0}, {4.0, 5.0})};
+  EXPECT_EQ(ClearanceProof(problem, kClearance, kUnlimited).free_from(0, upright),
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(ClearanceProof, ProvesNothingOnceTheBudgetIsUsedUp) {
+  const Problem problem = retreat_problem();
+  const ArmSystems arms(problem);
+  const ProfileTable standing(*steer(*arms.both()[0], 1.5, 1.5));
+  const Budget none({}, [] { return true; });
+  EXPECT_FALSE(
+      ClearanceProof(problem, kClearance, none).proves({Track{{0.0, &standing}}, Track{{0.0, &standing}}}, {0.0, 1.0}));
+}
+
 TEST(ClearanceProof, SettlesAtOnceWhereNothingMovesByItself) {
-  EXPECT_EQ(ClearanceProof(retreat_problem(), kClearance).settled_time(), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(ClearanceProof(retreat_problem(), kClearance, kUnlimited).settled_time(),
+            -std::numeric_limits<double>::infinity());
 }
 
 TEST(ClearanceProof, HasNothingToProveWhereNoTwoBodiesCanEverMeet) {
@@ -230,7 +254,7 @@ TEST(ClearanceProof, HasNothingToProveWhereNoTwoBodiesCanEverMeet) {
   problem.arms[1].base.position.z() = 1.0;
   problem.objects = {standing_ball(9.0, 9.0), passing_ball({-9.0, 9.0, 0.0}, {9.0, 9.0, 0.0}, {0.0, 1.0})};
   problem.arms[0].base.position.x() = -2.0;
-  const ClearanceProof proof(problem, kClearance);
+  const ClearanceProof proof(problem, kClearance, kUnlimited);
   EXPECT_EQ(proof.slack({0.3, 0.3}), std::numeric_limits<double>::infinity());
 }
 

@@ -7,9 +7,9 @@
 namespace dualarm {
 namespace {
 
-JointPair degrees(double first, double second) { return {first * kDegree, second * kDegree}; }
+JointStates degrees(double first, double second) { return at_rest({first * kDegree, second * kDegree}); }
 
-TEST(RestValidity, WantsClearanceAndStatesThatCanBeHeld) {
+TEST(StateValidity, WantsClearanceAndStatesThatCanBeHeld) {
   Problem problem = retreat_problem();
   const SearchSpace strong(problem);
   EXPECT_TRUE(strong.information->isValid(strong.state(90.0, 90.0, 0.0).get()));
@@ -41,7 +41,7 @@ TEST(EdgeValidator, ReportsTheFirstStateAsTheLastValidOne) {
   std::pair<ompl::base::State*, double> last_valid(copy.get(), 1.0);
   EXPECT_FALSE(search.information->checkMotion(here.get(), search.state(40.0, 10.0, 9.0).get(), last_valid));
   EXPECT_EQ(last_valid.second, 0.0);
-  EXPECT_EQ(StateTimeSpace::positions(copy.get()), degrees(10.0, 40.0));
+  EXPECT_EQ(StateTimeSpace::states(copy.get()), degrees(10.0, 40.0));
 }
 
 TEST(Connect, LetsTheFasterArmWaitWhereBothAtOnceWouldCollide) {
@@ -52,13 +52,13 @@ TEST(Connect, LetsTheFasterArmWaitWhereBothAtOnceWouldCollide) {
     const auto edge =
         connect(search.arms.both(), search.proof, degrees(20.0, 70.0), degrees(80.0, second_goal), {0.0, 0.0});
     if (!edge) continue;
-    EXPECT_NEAR(edge->duration, monotone_time(search.arms.both(), degrees(20.0, 70.0), degrees(80.0, second_goal)),
+    EXPECT_NEAR(edge->duration, steering_time(search.arms.both(), degrees(20.0, 70.0), degrees(80.0, second_goal)),
                 1e-12);
-    const auto& [first, second] = edge->motions;
-    EXPECT_EQ(first.start_time, 0.0);  // the slower arm never waits
-    if (second.start_time > 0.0) {
+    const auto& [first, second] = edge->moves;
+    EXPECT_EQ(first.wait, 0.0);  // the slower arm never waits
+    if (second.wait > 0.0) {
       ++waited;
-      EXPECT_NEAR(second.start_time + second.profile.duration(), edge->duration, 1e-12);
+      EXPECT_NEAR(second.wait + second.lasts, edge->duration, 1e-12);
     }
   }
   EXPECT_GT(waited, 0);

@@ -10,22 +10,22 @@
 namespace dualarm {
 namespace {
 
-std::vector<JointPair> draw(std::uint64_t seed) {
+std::vector<JointStates> draw(std::uint64_t seed) {
   const SearchSpace search(retreat_problem(), 1e-4, seed);
   const auto sampler = search.space->allocStateSampler();
   auto state = search.state(0.0, 0.0, 0.0);
-  std::vector<JointPair> drawn;
+  std::vector<JointStates> drawn;
   for (int i = 0; i < 500; ++i) {
     sampler->sampleUniform(state.get());
     EXPECT_TRUE(search.space->satisfiesBounds(state.get()));
-    drawn.push_back(StateTimeSpace::positions(state.get()));
+    drawn.push_back(StateTimeSpace::states(state.get()));
   }
   return drawn;
 }
 
 TEST(Sampler, DrawsTheSameFromTheSameSeedWhateverElseRuns) {
   const auto alone = draw(7);
-  std::vector<std::vector<JointPair>> together(4);
+  std::vector<std::vector<JointStates>> together(4);
   {
     std::vector<std::jthread> threads;
     for (auto& drawn : together) threads.emplace_back([&drawn] { drawn = draw(7); });
@@ -37,17 +37,20 @@ TEST(Sampler, DrawsTheSameFromTheSameSeedWhateverElseRuns) {
 TEST(Sampler, CoversTheRangeAndItsPreferredPositions) {
   const SearchSpace search(retreat_problem());
   Sampler sampler(search.space.get(), 1);
-  sampler.prefer(0, {0.25});
+  sampler.prefer(0, {JointState{0.25, 0.5}});
   auto state = search.state(0.0, 0.0, 0.0);
   int preferred = 0;
+  int moving = 0;
   std::array<int, 4> quarters = {};
   for (int i = 0; i < 4000; ++i) {
     sampler.sampleUniform(state.get());
-    const JointPair positions = StateTimeSpace::positions(state.get());
-    if (positions[0] == 0.25) ++preferred;
-    ++quarters[static_cast<int>(positions[1] / (std::numbers::pi / 4.0))];
+    const JointStates states = StateTimeSpace::states(state.get());
+    if (states[0] == JointState{0.25, 0.5}) ++preferred;
+    if (states[1].velocity != 0.0) ++moving;
+    ++quarters[static_cast<int>(states[1].position / (std::numbers::pi / 4.0))];
   }
   EXPECT_NEAR(preferred, 1000, 150);
+  EXPECT_NEAR(moving, 1200, 150);
   for (const int count : quarters) EXPECT_NEAR(count, 1000, 150);
 }
 
@@ -59,7 +62,7 @@ TEST(Sampler, StaysNearAndInsideTheBounds) {
   for (int i = 0; i < 200; ++i) {
     sampler.sampleUniformNear(state.get(), centre.get(), 0.1);
     EXPECT_TRUE(search.space->satisfiesBounds(state.get()));
-    EXPECT_NEAR(StateTimeSpace::positions(state.get())[1], 90.0 * kDegree, 0.1);
+    EXPECT_NEAR(StateTimeSpace::states(state.get())[1].position, 90.0 * kDegree, 0.1);
   }
 }
 

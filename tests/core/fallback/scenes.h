@@ -2,6 +2,7 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
 
 #include "core/fallback/steering.h"
 #include "core/model/problem.h"
@@ -21,6 +22,11 @@ inline constexpr double kRetreatBound = 2.14425;  ///< s, theory section 4, for 
 
 /// A sphere of 0.2 m radius standing in the world.
 Object standing_ball(double x, double y);
+
+/// The fastest motion of an arm from rest to rest (rad).
+inline std::optional<Profile> steer(const System& system, double from, double to) {
+  return steer(system, JointState{from, 0.0}, JointState{to, 0.0});
+}
 
 /// The arms of a problem as systems, kept as long as this is.
 class ArmSystems {

@@ -13,6 +13,9 @@ namespace {
 /// rad and s: what a few additions may lose.
 constexpr double kRounding = 1e-14;
 
+/// rad/s: what a velocity found by integration may lose where two motions join.
+constexpr double kJoint = 1e-10;
+
 using Point = std::complex<double>;
 
 double cross(Point a, Point b) { return std::imag(std::conj(a) * b); }
@@ -44,7 +47,7 @@ struct Instant {
 /// An arm's states in order of time, so dense that a cubic between two is exact to 1e-9 rad.
 std::vector<Instant> states_of(const std::vector<TimedProfile>& motions) {
   constexpr int kPieces = 100;
-  std::vector<Instant> instants = {{0.0, {motions.front().profile.start(), 0.0}}};
+  std::vector<Instant> instants = {{0.0, motions.front().profile.start_state()}};
   for (const auto& [start_time, profile] : motions) {
     for (const Arc& arc : profile.arcs()) {
       const std::vector<JointState> states = profile.states_along(arc, kPieces);
@@ -114,14 +117,20 @@ void expect_consistent(const Problem& problem, const Schedule& schedule, double 
   for (int arm = 0; arm < kArmCount; ++arm) {
     ASSERT_FALSE(schedule[arm].empty());
     EXPECT_NEAR(schedule[arm].front().profile.start(), problem.tasks[arm].start.position, kRounding);
+    EXPECT_NEAR(schedule[arm].front().profile.start_state().velocity, problem.tasks[arm].start.velocity, kRounding);
     EXPECT_NEAR(schedule[arm].back().profile.goal(), problem.tasks[arm].goal.position, kRounding);
+    EXPECT_NEAR(schedule[arm].back().profile.goal_state().velocity, problem.tasks[arm].goal.velocity, kRounding);
     double free_from = 0.0;
-    double at = problem.tasks[arm].start.position;
+    JointState at = problem.tasks[arm].start;
     for (const auto& [start_time, profile] : schedule[arm]) {
       EXPECT_GE(start_time, free_from - kRounding);
-      EXPECT_NEAR(profile.start(), at, kRounding);
+      EXPECT_NEAR(profile.start(), at.position, kRounding);
+      EXPECT_NEAR(profile.start_state().velocity, at.velocity, kJoint);
+      if (at.velocity != 0.0) {
+        EXPECT_NEAR(start_time, free_from, kRounding);
+      }
       EXPECT_TRUE(problem.arms[arm].joint_range.contains(profile.goal()));
-      at = profile.goal();
+      at = profile.goal_state();
       free_from = start_time + profile.duration();
     }
     last_arrival = std::max(last_arrival, free_from);

@@ -17,20 +17,26 @@ struct SearchSpace {
   explicit SearchSpace(const Problem& scene, double clearance = 1e-4, std::uint64_t seed = 1)
       : problem(scene),
         arms(problem),
-        proof(problem, clearance),
+        proof(problem, clearance, unlimited),
         space(std::make_shared<StateTimeSpace>(arms.both(), 20.0, seed)),
         information(std::make_shared<ompl::base::SpaceInformation>(space)) {
-    information->setStateValidityChecker(std::make_shared<RestValidity>(information, proof));
+    information->setStateValidityChecker(std::make_shared<StateValidity>(information, proof));
     information->setMotionValidator(std::make_shared<EdgeValidator>(information, proof));
     information->setup();
   }
 
+  /// Both arms at rest.
   ompl::base::ScopedState<StateTimeSpace> state(double first_degrees, double second_degrees, double time) const {
+    return state({JointState{first_degrees * kDegree, 0.0}, JointState{second_degrees * kDegree, 0.0}}, time);
+  }
+
+  ompl::base::ScopedState<StateTimeSpace> state(const JointStates& states, double time) const {
     ompl::base::ScopedState<StateTimeSpace> made(information);
-    StateTimeSpace::set(made.get(), {first_degrees * kDegree, second_degrees * kDegree}, time);
+    StateTimeSpace::set(made.get(), states, time);
     return made;
   }
 
+  Budget unlimited;
   Problem problem;
   ArmSystems arms;
   ClearanceProof proof;

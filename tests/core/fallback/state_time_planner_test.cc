@@ -20,7 +20,10 @@ constexpr int kInstants = 2000;
 
 SearchResult search(const Problem& problem, const ArmSystems& arms, int limit = kDefaultEvaluationLimit,
                     const Budget& budget = {}) {
-  return search_state_time(problem, arms.both(), kClearance, 0.0, limit, budget);
+  SearchRules rules;
+  rules.clearance = kClearance;
+  rules.evaluation_limit = limit;
+  return search_state_time(problem, arms.both(), rules, budget);
 }
 
 void expect_same(const SearchResult& left, const SearchResult& right) {
@@ -44,7 +47,7 @@ TEST_P(Retreat, IsFoundNearTheProvenBoundWhereNoDelayExists) {
   Problem problem = retreat_problem();
   problem.options.seed = GetParam();
   const ArmSystems arms(problem);
-  const SearchResult result = search(problem, arms);
+  const SearchResult result = search(problem, arms, 3000);
   ASSERT_TRUE(result.schedule);
   expect_consistent(problem, *result.schedule, result.duration);
   EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
@@ -54,6 +57,24 @@ TEST_P(Retreat, IsFoundNearTheProvenBoundWhereNoDelayExists) {
 }
 
 INSTANTIATE_TEST_SUITE_P(TwentySeeds, Retreat, ::testing::Range(0, 20));
+
+class TightRetreat : public ::testing::TestWithParam<int> {};
+
+/// The same with less inertia and thicker arms: 1.2405 s is proven (theory, section 4), 1.2654 s the best known.
+TEST_P(TightRetreat, IsFoundNearTheBestKnownPlan) {
+  Problem problem = paper_problem({10.0, 40.0}, {40.0, 10.0}, 0.2);
+  for (Arm& arm : problem.arms) arm.inertia = 12.0;
+  problem.options.seed = GetParam();
+  const ArmSystems arms(problem);
+  const SearchResult result = search(problem, arms);
+  ASSERT_TRUE(result.schedule);
+  expect_consistent(problem, *result.schedule, result.duration);
+  EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
+  EXPECT_GE(result.duration, 1.2405);
+  EXPECT_LE(result.duration, 1.30);
+}
+
+INSTANTIATE_TEST_SUITE_P(SixSeeds, TightRetreat, ::testing::Range(0, 6));
 
 TEST(SearchStateTime, FindsTheRetreatOfArmsWhoseTorqueDependsOnTheVelocity) {
   Problem problem = retreat_problem();
@@ -115,15 +136,17 @@ TEST(SearchStateTime, LetsBothArmsWaitWhereBothAreBlocked) {
     EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
     EXPECT_GT(result.duration, 2.0);
     EXPECT_LT(result.duration, 2.0 + 1.5);
-    for (const auto& motions : *result.schedule) EXPECT_GT(motions.back().start_time, 0.5);
+    for (const auto& motions : *result.schedule) {
+      EXPECT_GT(motions.back().start_time + motions.back().profile.duration(), 2.0);
+    }
   }
 }
 
 TEST(SearchStateTime, PassesBeforeAnObjectComes) {
   Problem problem = paper_problem({60.0, 100.0}, {90.0, 120.0});
   MovingPlacement comes;
-  comes.track = PoseTrack({{1.2, Eigen::Isometry3d(Eigen::Translation3d(-9.0, 3.0, 0.0))},
-                           {1.6, Eigen::Isometry3d(Eigen::Translation3d(2.0, 3.0, 0.0))}});
+  comes.track = PoseTrack({{1.2, Eigen::Isometry3d(Eigen::Translation3d(2.6, 9.0, 0.0))},
+                           {1.6, Eigen::Isometry3d(Eigen::Translation3d(2.6, 4.5, 0.0))}});
   problem.objects = {{"ball", Capsule{{0, 0, 0}, {0, 0, 0}, 0.2}, comes}};
   const ArmSystems arms(problem);
   const SearchResult result = search(problem, arms, 3000);
@@ -132,16 +155,123 @@ TEST(SearchStateTime, PassesBeforeAnObjectComes) {
   EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
 }
 
-TEST(SearchStateTime, GivesTheSameScheduleForTheSameSeedAlsoFourAtOnce) {
+/// The retreat with both arms in motion towards each other, and arm 2 in motion at its goal.
+Problem moving_retreat() {
   Problem problem = retreat_problem();
+  problem.tasks[0].start.velocity = -0.15;
+  problem.tasks[1].start.velocity = -0.2;
+  problem.tasks[1].goal.velocity = 0.2;
+  return problem;
+}
+
+TEST(SearchStateTime, StartsAndEndsInMotion) {
+  for (int seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Problem problem = moving_retreat();
+    problem.options.seed = seed;
+    const ArmSystems arms(problem);
+    const SearchResult result = search(problem, arms, 8000);
+    ASSERT_TRUE(result.schedule);
+    expect_consistent(problem, *result.schedule, result.duration);
+    EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
+    const TimedProfile& last = (*result.schedule)[1].back();
+    EXPECT_NEAR(last.start_time + last.profile.duration(), result.duration, 1e-12);
+    EXPECT_LT(result.duration, 1.15 * kRetreatBound);
+  }
+}
+
+TEST(SearchStateTime, TellsPlansThatGetFasterAndTheirCountOfEvaluations) {
+  const Problem problem = retreat_problem();
+  const ArmSystems arms(problem);
+  SearchRules rules;
+  rules.clearance = kClearance;
+  rules.evaluation_limit = 3000;
+  std::vector<double> durations;
+  int evaluations = 0;
+  rules.on_incumbent = [&](const Schedule& schedule, double duration) {
+    expect_consistent(problem, schedule, duration);
+    durations.push_back(duration);
+  };
+  rules.on_status = [&](int now) {
+    EXPECT_GE(now, evaluations);
+    evaluations = now;
+  };
+  const SearchResult result = search_state_time(problem, arms.both(), rules, Budget());
+  ASSERT_GE(durations.size(), 2u);
+  for (std::size_t i = 1; i < durations.size(); ++i) EXPECT_LE(durations[i], 0.99 * durations[i - 1]);
+  EXPECT_EQ(durations.front(), result.first_duration);
+  EXPECT_NEAR(durations.back(), result.duration, 0.01 * result.duration);
+  EXPECT_EQ(evaluations, result.evaluation_count);
+  EXPECT_EQ(search(problem, arms, 3000).duration, result.duration) << "being told changes nothing";
+}
+
+TEST(SearchStateTime, KeepsToItsMemoryAndSaysWhatItTook) {
+  const Problem problem = paper_problem({10.0, 40.0}, {30.0, 30.0});  // has no solution: trees grow
+  const ArmSystems arms(problem);
+  SearchRules rules;
+  rules.clearance = kClearance;
+  rules.evaluation_limit = 4000;
+  const SearchResult free = search_state_time(problem, arms.both(), rules, Budget());
+  EXPECT_GT(free.node_count, 500);
+  EXPECT_GT(free.memory, 500u * 200u);
+  rules.memory_limit = free.memory / 10;
+  const SearchResult bounded = search_state_time(problem, arms.both(), rules, Budget());
+  EXPECT_LE(bounded.memory, rules.memory_limit);
+  EXPECT_GT(bounded.memory, rules.memory_limit / 2);
+  EXPECT_GE(bounded.evaluation_count, 4 * 4000);
+}
+
+TEST(SearchStateTime, EndsAtTheLowerBoundItIsGiven) {
+  const Problem problem = retreat_problem();
+  const ArmSystems arms(problem);
+  SearchRules rules;
+  rules.clearance = kClearance;
+  rules.lower_bound = 1.1 * kRetreatBound;
+  const SearchResult result = search_state_time(problem, arms.both(), rules, Budget());
+  ASSERT_TRUE(result.schedule);
+  EXPECT_LT(result.evaluation_count, kDefaultEvaluationLimit / 2);
+}
+
+TEST(SearchStateTime, LetsNoArmFirstMoveLaterThanItMay) {
+  Problem problem = paper_problem({30.0, 60.0}, {60.0, 30.0});
+  problem.options.max_start_delay = 0.05;
+  const ArmSystems arms(problem);
+  const SearchResult result = search(problem, arms, 4000);
+  ASSERT_TRUE(result.schedule);
+  for (const auto& motions : *result.schedule) EXPECT_LE(motions.front().start_time, 0.05);
+  EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
+}
+
+/// A ball passes arm 1's goal until 2.2 s.
+TEST(SearchStateTime, ArrivesForGoodOnlyWhenNothingPassesTheGoalAnyMore) {
+  Problem problem = paper_problem({60.0, 100.0}, {90.0, 120.0});
+  MovingPlacement passes;
+  passes.track = PoseTrack({{1.8, Eigen::Isometry3d(Eigen::Translation3d(-4.0, 5.0, 0.0))},
+                            {2.8, Eigen::Isometry3d(Eigen::Translation3d(6.0, 13.0, 0.0))}});
+  problem.objects = {{"ball", Capsule{{0, 0, 0}, {0, 0, 0}, 0.2}, passes}};
+  problem.arms[0].length = 9.0;
+  problem.arms[1].base.position.x() = 20.0;
+  const ArmSystems arms(problem);
+  const Budget unlimited;
+  const double left = ClearanceProof(problem, kClearance, unlimited).free_from(0, problem.tasks[0].goal.position);
+  ASSERT_GT(left, 2.1);
+  const SearchResult result = search(problem, arms, 4000);
+  ASSERT_TRUE(result.schedule);
+  expect_consistent(problem, *result.schedule, result.duration);
+  EXPECT_GE(result.duration, left);
+  EXPECT_LT(result.duration, left + 0.6);
+}
+
+TEST(SearchStateTime, GivesTheSameScheduleForTheSameSeedAlsoSixteenAtOnce) {
+  Problem problem = moving_retreat();
   problem.options.seed = 42;
   const ArmSystems arms(problem);
-  const SearchResult alone = search(problem, arms, 2000);
-  std::vector<SearchResult> together(4);
+  const SearchResult alone = search(problem, arms, 1000);
+  std::vector<SearchResult> together(16);
   {
     std::vector<std::jthread> threads;
     for (SearchResult& result : together) {
-      threads.emplace_back([&] { result = search(problem, arms, 2000); });
+      threads.emplace_back([&] { result = search(problem, arms, 1000); });
     }
   }
   for (const SearchResult& result : together) expect_same(result, alone);
@@ -180,7 +310,7 @@ TEST(SearchStateTime, StopsSoonAfterItIsCancelled) {
   impatient.join();
   EXPECT_TRUE(result.budget_ran_out);
   EXPECT_LT(result.evaluation_count, 1'000'000);
-  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(500));
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(100));
 }
 
 TEST(SearchStateTime, DoesNotBeginWhenItIsCancelledAlready) {
@@ -197,7 +327,7 @@ TEST(SearchStateTime, FindsNothingWhereTheGoalIsBlocked) {
   const SearchResult result = search(problem, ArmSystems(problem), 1000);
   EXPECT_FALSE(result.schedule);
   EXPECT_FALSE(result.budget_ran_out);
-  EXPECT_NEAR(result.evaluation_count, 1000, 600);
+  EXPECT_NEAR(result.evaluation_count, 4000, 600);
 }
 
 TEST(SearchStateTime, FindsNothingWhereTheStartIsBlocked) {
@@ -229,8 +359,8 @@ TEST(SearchStateTime, FindsTheFastestMotionsWhereNothingIsInTheWay) {
   const ArmSystems arms(problem);
   const SearchResult result = search(problem, arms);
   ASSERT_TRUE(result.schedule);
-  const JointPair start = {60.0 * kDegree, 100.0 * kDegree};
-  EXPECT_NEAR(result.duration, minimum_time(arms.both(), start, {90.0 * kDegree, 170.0 * kDegree}), 1e-9);
+  const JointStates start = at_rest({60.0 * kDegree, 100.0 * kDegree});
+  EXPECT_NEAR(result.duration, minimum_time(arms.both(), start, at_rest({90.0 * kDegree, 170.0 * kDegree})), 1e-9);
 }
 
 TEST(SearchStateTime, LeavesAnArmAloneThatNeedNotMove) {

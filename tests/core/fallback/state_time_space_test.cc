@@ -28,7 +28,7 @@ TEST(StateTimeSpace, IsNoMetricAndSaysSo) {
   const SearchSpace search(retreat_problem());
   EXPECT_FALSE(search.space->isMetricSpace());
   EXPECT_FALSE(search.space->hasSymmetricDistance());
-  EXPECT_EQ(search.space->getDimension(), 3u);
+  EXPECT_EQ(search.space->getDimension(), 5u);
 }
 
 TEST(StateTimeSpace, MeasuresTimeForwardsOnly) {
@@ -45,7 +45,7 @@ TEST(StateTimeSpace, ReachesAStateNoEarlierThanTheFastestMotionsDo) {
   const SearchSpace search(retreat_problem());
   const auto here = search.state(10.0, 40.0, 0.0);
   const double needed =
-      monotone_time(search.arms.both(), StateTimeSpace::positions(here.get()), {40.0 * kDegree, 10.0 * kDegree});
+      steering_time(search.arms.both(), StateTimeSpace::states(here.get()), at_rest({40.0 * kDegree, 10.0 * kDegree}));
   EXPECT_EQ(search.space->distance(here.get(), search.state(40.0, 10.0, needed).get()), needed);
   EXPECT_EQ(search.space->distance(here.get(), search.state(40.0, 10.0, needed - 1e-9).get()), kInfinity);
 }
@@ -55,7 +55,7 @@ TEST(StateTimeSpace, KeepsTheTriangleInequalityAlongTime) {
   const auto sampler = search.space->allocStateSampler();
   ompl::base::ScopedState<StateTimeSpace> a(search.information), b(search.information), c(search.information);
   int finite = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     for (auto* state : {a.get(), b.get(), c.get()}) sampler->sampleUniform(state);
     const double by_way = search.space->distance(a.get(), b.get()) + search.space->distance(b.get(), c.get());
     if (!std::isfinite(by_way)) continue;
@@ -70,8 +70,8 @@ TEST(StateTimeSpace, InterpolatesStraight) {
   auto middle = search.state(0.0, 0.0, 0.0);
   search.space->interpolate(search.state(10.0, 40.0, 1.0).get(), search.state(20.0, 60.0, 3.0).get(), 0.5,
                             middle.get());
-  EXPECT_NEAR(StateTimeSpace::positions(middle.get())[0], 15.0 * kDegree, 1e-12);
-  EXPECT_NEAR(StateTimeSpace::positions(middle.get())[1], 50.0 * kDegree, 1e-12);
+  EXPECT_NEAR(StateTimeSpace::states(middle.get())[0].position, 15.0 * kDegree, 1e-12);
+  EXPECT_NEAR(StateTimeSpace::states(middle.get())[1].position, 50.0 * kDegree, 1e-12);
   EXPECT_NEAR(StateTimeSpace::time(middle.get()), 2.0, 1e-12);
 }
 

@@ -20,8 +20,8 @@ class TreePlannerTest : public ::testing::Test {
   void define(double first_goal, double second_goal) {
     definition_ = std::make_shared<ob::ProblemDefinition>(search_.information);
     definition_->addStartState(search_.state(10.0, 40.0, 0.0));
-    const JointPair goal = {first_goal * kDegree, second_goal * kDegree};
-    definition_->setGoal(std::make_shared<RestGoal>(search_.information, goal, 0.0));
+    const JointStates goal = at_rest({first_goal * kDegree, second_goal * kDegree});
+    definition_->setGoal(std::make_shared<StateGoal>(search_.information, goal));
     definition_->setOptimizationObjective(std::make_shared<ArrivalTime>(search_.information));
   }
 
@@ -77,6 +77,42 @@ TEST_F(TreePlannerTest, ReportsNothingForAGoalThatCannotBe) {
   EXPECT_EQ(tree->solve(kNever), ob::PlannerStatus::TIMEOUT);
   EXPECT_FALSE(definition_->hasSolution());
   EXPECT_GE(tree->evaluations(), 800);
+}
+
+TEST_F(TreePlannerTest, GrowsNodesInMotion) {
+  define(30.0, 30.0);
+  const auto tree = planner({2000, 0});
+  tree->solve(kNever);
+  ob::PlannerData data(search_.information);
+  tree->getPlannerData(data);
+  int moving = 0;
+  for (unsigned i = 0; i < data.numVertices(); ++i) {
+    const JointStates states = StateTimeSpace::states(data.getVertex(i).getState());
+    if (states[0].velocity != 0.0 || states[1].velocity != 0.0) ++moving;
+  }
+  EXPECT_GT(moving, 50);
+}
+
+TEST_F(TreePlannerTest, KeepsNoMoreNodesThanItMayAndGoesOn) {
+  define(30.0, 30.0);
+  TreeLimits limits{3000, 0};
+  limits.nodes = 40;
+  const auto tree = planner(limits);
+  tree->solve(kNever);
+  EXPECT_EQ(tree->most_nodes(), 40);
+  EXPECT_GE(tree->evaluations(), 3000);
+  define(40.0, 10.0);
+  const auto second = planner(limits);
+  EXPECT_EQ(second->solve(kNever), ob::PlannerStatus::EXACT_SOLUTION);
+}
+
+TEST_F(TreePlannerTest, LetsNoArmFirstMoveLaterThanItMay) {
+  define(40.0, 10.0);
+  TreeLimits limits{3000, 3000};
+  limits.max_start_delay = 0.0;
+  const auto tree = planner(limits);
+  ASSERT_EQ(tree->solve(kNever), ob::PlannerStatus::EXACT_SOLUTION);
+  for (int arm = 0; arm < kArmCount; ++arm) EXPECT_EQ(tree->best_edges().front().moves[arm].wait, 0.0);
 }
 
 TEST_F(TreePlannerTest, StartsAfreshOnceCleared) {

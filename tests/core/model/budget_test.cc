@@ -29,5 +29,23 @@ TEST(Budget, PartIsCancelledWithTheWhole) {
   EXPECT_TRUE(part.exhausted());
 }
 
+TEST(Budget, LeavesRoomForALastStep) {
+  using std::chrono::milliseconds;
+  const Budget whole(Budget::Clock::now() + Seconds(3600));
+  EXPECT_FALSE(whole.leaving(1.0, Seconds(3599)).exhausted()) << "Never more room than what is given.";
+  EXPECT_TRUE(whole.leaving(1.0, Seconds(3601)).exhausted());
+  EXPECT_FALSE(whole.leaving(0.9, Seconds(3601)).exhausted()) << "Never more than its share.";
+  EXPECT_FALSE(Budget().leaving(1.0, milliseconds(250)).exhausted());
+  EXPECT_TRUE(Budget(Budget::Clock::now() - Seconds(1)).leaving(0.2, milliseconds(250)).exhausted());
+}
+
+TEST(Budget, RoomForALastStepIsCancelledWithTheWhole) {
+  bool cancelled = false;
+  const Budget room = Budget(Budget::Clock::now() + Seconds(3600), [&] { return cancelled; }).leaving(0.2, Seconds(1));
+  EXPECT_FALSE(room.exhausted());
+  cancelled = true;
+  EXPECT_TRUE(room.exhausted());
+}
+
 }  // namespace
 }  // namespace dualarm

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -58,6 +59,39 @@ TEST(Share, FromMiddleIsOneAtBothEnds) {
 
 TEST(Share, WhatIsNotANumberUsesMoreThanAnyLimit) {
   EXPECT_EQ(Share::from_middle({-1.0, 1.0}).of(std::numeric_limits<double>::quiet_NaN()), kInfinity);
+}
+
+TEST(Share, ValuesWithinAShareUseNoMore) {
+  const std::array<Share, 5> shares = {Share::by_side({-2.0, 4.0}), Share::by_side({2.0, 6.0}),
+                                       Share::by_side({-kInfinity, 3.0}), Share::by_side({0.0, 60.0}),
+                                       Share::from_middle({-1.0, 5.0})};
+  for (const Share& share : shares) {
+    for (const double used : {0.0, 0.25, 1.0, 1.5, 7.0}) {
+      const Interval values = share.values_within(used);
+      for (const double end : {values.lower, values.upper}) {
+        if (!std::isfinite(end)) continue;
+        EXPECT_LE(share.of(end), used + 1e-15);
+        const double outwards = end == values.upper ? 1e-6 : -1e-6;
+        EXPECT_GT(share.of(end + outwards), used);
+      }
+    }
+    EXPECT_TRUE(share.values_within(-1.0).empty());
+    EXPECT_EQ(share.values_within(kInfinity), (Interval{-kInfinity, kInfinity}));
+  }
+}
+
+TEST(PeakSearch, BelievesARangeOnlyWhereItIsCloseToWhatIsAttained) {
+  PeakSearch search(Share::by_side({-1.0, 2.0}), 1e-3);
+  EXPECT_FALSE(search.visit_range({0.0, 0.5}, 0.0)) << "nothing is attained yet";
+  search.visit(0.0, 1.0);
+  EXPECT_TRUE(search.visit_range({-0.2, 1.001}, 0.0));
+  EXPECT_DOUBLE_EQ(search.proven(), 0.5005);
+  EXPECT_FALSE(search.visit_range({-0.2, 1.003}, 0.0));
+  EXPECT_FALSE(search.visit_range({-0.502, 0.0}, 0.0));
+  EXPECT_TRUE(search.visit_range({-0.2, 1.003}, 0.002)) << "rounding is forgiven";
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(search.visit_range({nothing, 0.0}, 0.0));
+  EXPECT_FALSE(search.visit_range({0.0, nothing}, 1.0));
 }
 
 TEST(PeakSearch, ProvesThePeakOfASineWithinItsSlack) {

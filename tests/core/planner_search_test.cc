@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "core/planner.h"
+#include "tests/core/planner_answers.h"
+#include "tests/reference/hard_scenes.h"
+#include "tests/support/independent_check.h"
+#include "tests/support/problems.h"
+
+// The search in state-time space as part of the planner: forced, and where nothing else knows a plan. A part of the
+// scenes always, all of them in the slow run: ctest --preset release -C Slow -R PlannerSearchSlow
+
+namespace dualarm {
+namespace {
+
+Problem forced(Problem problem) {
+  problem.options.methods = {Method::kStateTime};
+  return problem;
+}
+
+/// Durations of forced plans over the durations of plans that are proven to be optimal, of as many random problems.
+std::vector<double> ratios_to_the_optimum(int count) {
+  std::vector<double> ratios;
+  for (std::uint64_t seed = 0; static_cast<int>(ratios.size()) < count; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem problem = random_problem(seed);
+    const Outcome best = plan(problem, Budget());
+    const auto* optimum = std::get_if<Plan>(&best.answer);
+    if (optimum == nullptr || optimum->certificate.claim != Claim::kOptimal || optimum->duration == 0.0) continue;
+    const Plan found = must_plan(forced(problem));
+    EXPECT_EQ(found.method, Method::kStateTime);
+    EXPECT_NEAR(found.certificate.lower_bound, optimum->certificate.lower_bound, 1e-9);
+    ratios.push_back(found.duration / optimum->duration);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  return ratios;
+}
+
+void expect_near_the_optimum(int count) {
+  const std::vector<double> ratios = ratios_to_the_optimum(count);
+  ASSERT_EQ(static_cast<int>(ratios.size()), count);
+  EXPECT_LE(ratios[count / 2], 1.05);
+  EXPECT_LE(ratios[count * 95 / 100], 1.15);
+  EXPECT_GE(ratios.front(), 1.0 - 1e-9) << "no search is faster than an optimum";
+}
+
+/// Scenes of a kind that are solved, of as many; the others have to be undecided.
+int solved_hard_scenes(HardKind kind, int count) {
+  int solved = 0;
+  for (int seed = 0; seed < count; ++seed) {
+    SCOPED_TRACE(testing::Message() << name_of(kind) << ", seed " << seed);
+    const HardScene scene = hard_scene(kind, seed);
+    const Outcome outcome = plan(scene.problem, Budget());
+    if (const auto* found = std::get_if<Plan>(&outcome.answer)) {
+      EXPECT_TRUE(found->verification.holds());
+      EXPECT_THAT(independent_check(scene.problem, found->trajectory), testing::IsEmpty());
+      EXPECT_GE(found->duration, found->certificate.lower_bound * (1.0 - 1e-9));
+      EXPECT_LE(found->certificate.lower_bound, scene.witness_duration);
+      ++solved;
+    } else {
+      EXPECT_TRUE(std::holds_alternative<Undecided>(outcome.answer)) << "a witness exists";
+    }
+  }
+  return solved;
+}
+
+TEST(PlannerSearch, IsNearTheOptimumWhereThatIsKnown) { expect_near_the_optimum(30); }
+
+TEST(PlannerSearch, SolvesAHardSceneOfEachKind) {
+  for (const HardKind kind : kHardKinds) {
+    if (kind != HardKind::kDrives) {
+      EXPECT_EQ(solved_hard_scenes(kind, 1), 1) << name_of(kind);
+    }
+  }
+}
+
+TEST(PlannerSearch, TellsVerifiedPlansEachFasterThanTheOneBeforeAndTheLastIsTheAnswer) {
+  const Problem problem = forced(paper_problem({10, 40}, {40, 10}, 0.05));
+  std::vector<double> durations;
+  int evaluations = 0;
+  Observer observer;
+  observer.on_incumbent = [&](const Plan& incumbent) {
+    EXPECT_TRUE(incumbent.verification.holds());
+    durations.push_back(incumbent.duration);
+  };
+  observer.on_status = [&](const PlanningStatus& status) { evaluations = status.fallback_evaluation_count; };
+  const Outcome watched = plan(problem, Budget(), observer);
+  const Outcome unwatched = plan(problem, Budget());
+  ASSERT_GE(durations.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(durations.rbegin(), durations.rend()));
+  EXPECT_EQ(durations.back(), std::get<Plan>(watched.answer).duration);
+  EXPECT_EQ(durations.back(), std::get<Plan>(unwatched.answer).duration);
+  EXPECT_EQ(evaluations, watched.statistics.fallback_evaluation_count);
+  EXPECT_GT(watched.statistics.fallback_node_count, 0);
+}
+
+TEST(PlannerSearch, KeepsToTheMemoryThatTheOptionsGiveIt) {
+  Problem problem = forced(paper_problem({10, 40}, {40, 10}, 0.05));
+  problem.options.search_memory = 20'000;
+  const Outcome outcome = plan(problem, Budget());
+  EXPECT_TRUE(std::holds_alternative<Plan>(outcome.answer));
+  EXPECT_LE(outcome.statistics.fallback_memory_bytes, 20'000u);
+}
+
+TEST(PlannerSearch, FindsTheOptimalDelayExactlyByItsOwn) {
+  const Plan found = must_plan(forced(paper_problem({30, 60}, {60, 30}, 0.05)));
+  EXPECT_EQ(found.method, Method::kStateTime);
+  EXPECT_EQ(found.certificate.claim, Claim::kOptimal);
+}
+
+TEST(PlannerSearch, SaysWhatItTriedWhereItFindsNothing) {
+  Problem problem = forced(paper_problem({10, 40}, {40, 10}, 0.05));
+  problem.arms[0].joint_range.lower = problem.tasks[0].start.position;
+  problem.tasks[1].start.velocity = -0.9;  // into the other arm, which cannot give way: it cannot be stopped in time
+  const Outcome outcome = plan(problem, Budget());
+  const auto* undecided = std::get_if<Undecided>(&outcome.answer);
+  ASSERT_NE(undecided, nullptr);
+  EXPECT_THAT(undecided->tried.back(), testing::HasSubstr("no schedule found"));
+  EXPECT_GT(undecided->best_lower_bound, 0.0);
+}
+
+TEST(PlannerSearchSlow, IsNearTheOptimumOnTwoHundredScenes) { expect_near_the_optimum(200); }
+
+TEST(PlannerSearchSlow, SolvesSeventyTwoHardScenes) {
+  int solved = 0;
+  for (const HardKind kind : kHardKinds) solved += solved_hard_scenes(kind, 12);
+  EXPECT_GE(solved, 69);  // 95 %
+}
+
+}  // namespace
+}  // namespace dualarm
