@@ -48,7 +48,7 @@ struct ComparedServer {
   ServerOptions options = default_options();
   WorkerPools pools{options};
   PlanningService planning{
-      core_functions(), pools, {std::chrono::seconds(10), options.max_streams, options.batch_in_flight}};
+      core_functions(), pools, {std::chrono::seconds(10), 32u << 20, options.max_streams, options.batch_in_flight, {}}};
   EmptyService empty;
   int port = 0;
   std::unique_ptr<grpc::Server> server;

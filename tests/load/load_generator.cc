@@ -6,6 +6,7 @@
 #include "tests/load/many.h"
 #include "tests/load/mixed.h"
 #include "tests/load/overload.h"
+#include "tests/load/stopping.h"
 
 int main(int argc, char** argv) {
   CLI::App app("Puts load on a dualarm server, which it starts itself", "load_generator");
@@ -33,6 +34,9 @@ int main(int argc, char** argv) {
   auto* slow = add("slow-reader", "a client that never reads");
   auto* mixed = add("mixed", "everything at once");
   mixed->add_option("--seed", seed, "of what comes when")->capture_default_str();
+  auto* stopping = app.add_subcommand("stopping", "how long planning goes on when its caller has left");
+  stopping->add_option("--count", count, "moments for each scenario")->capture_default_str();
+  stopping->add_option("--seed", seed, "of the moments")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   if (compare->parsed()) return dualarm::compare_with_empty_call(scenario, seconds, callers);
   if (overload->parsed()) return dualarm::measure_overload(seconds, searches);
@@ -40,5 +44,6 @@ int main(int argc, char** argv) {
   if (batch->parsed()) return dualarm::plan_one_batch(count);
   if (slow->parsed()) return dualarm::refuse_to_read(seconds);
   if (mixed->parsed()) return dualarm::run_mixed_load(seconds, seed);
+  if (stopping->parsed()) return dualarm::measure_stopping(count, seed);
   return 1;
 }

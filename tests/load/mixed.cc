@@ -226,8 +226,9 @@ int run_mixed_load(double seconds, unsigned seed) {
   const double last = mean(memory, 0.9, 1.0);
   fmt::print("{:.0f} s of mixed load: the server {}\n", seconds, lives ? "lives" : "IS GONE");
   tally.print();
-  fmt::print("memory: third tenth {:.1f} MiB, last tenth {:.1f} MiB, {:+.1f} %\n", third, last,
-             100.0 * (last / third - 1.0));
+  fmt::print("memory by tenths, MiB:");
+  for (int tenth = 0; tenth < 10; ++tenth) fmt::print(" {:.1f}", mean(memory, 0.1 * tenth, 0.1 * (tenth + 1)));
+  fmt::print("; the last against the third {:+.1f} %\n", 100.0 * (last / third - 1.0));
   return lives && tally.of("LOST") == 0 && last < 1.05 * third ? 0 : 1;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -40,12 +41,12 @@ Sample sample(const std::string& address, double seconds) {
 }
 
 /// Searches one after another until told to stop; one that is refused is tried again after a while.
-void keep_searching(const std::string& address, int seed, const std::atomic<bool>& stops, std::atomic<int>& done) {
+void keep_searching(const std::string& address, int seed, const std::stop_token& stop, std::atomic<int>& done) {
   const auto stub = wire::PlanningService::NewStub(new_channel(address));
   const wire::PlanMotionRequest request = search_request("paper_retreat", seed);
-  while (!stops) {
+  while (!stop.stop_requested()) {
     grpc::ClientContext context;
-    context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(120));
+    const std::stop_callback cancel(stop, [&context] { context.TryCancel(); });
     wire::PlanMotionResponse response;
     const grpc::Status status = stub->PlanMotion(&context, request, &response);
     if (status.ok()) ++done;
@@ -61,18 +62,18 @@ int measure_overload(double seconds, int searches) {
   const ServerChild server(default_options());
   sample(server.address(), 0.5);  // warms up
   const Sample alone = sample(server.address(), seconds);
-  std::atomic<bool> stops = false;
   std::atomic<int> done = 0;
   std::vector<std::jthread> threads;
   for (int i = 0; i < searches; ++i) {
-    threads.emplace_back([&, i] { keep_searching(server.address(), i, stops, done); });
+    threads.emplace_back([&, i](const std::stop_token& stop) { keep_searching(server.address(), i, stop, done); });
   }
   std::this_thread::sleep_for(std::chrono::seconds(1));  // until all of them are queued
   const int before = done;
   const Sample loaded = sample(server.address(), seconds);
   const int meanwhile = done - before;
   const Sample again = sample(server.address(), seconds);
-  stops = true;
+  for (std::jthread& thread : threads) thread.request_stop();
+  threads.clear();
   fmt::print("fast plans   alone: {}\n", alone.plans.summary());
   fmt::print("             under {} searches: {}; ratio of p99 {:.2f}\n", searches, loaded.plans.summary(),
              loaded.plans.quantile(0.99) / alone.plans.quantile(0.99));
