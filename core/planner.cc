@@ -18,6 +18,7 @@ double seconds_since(Budget::Clock::time_point start) {
 struct PlanningRun::State {
   PlanningBudget budget;
   Budget::Clock::time_point begin = Budget::Clock::now();
+  Budget::Clock::duration quick_time{};
   PreparedProblem prepared;
   Findings findings;
 
@@ -43,11 +44,14 @@ std::optional<Outcome> PlanningRun::quick() {
   if (decision) {
     return std::visit([this](auto&& answer) { return state_->outcome(std::move(answer)); }, *std::move(decision));
   }
+  state_->quick_time = Budget::Clock::now() - state_->begin;
   if (allows_search(state_->prepared.problem().options)) return std::nullopt;
   return state_->undecided();
 }
 
-Outcome PlanningRun::search() {
+Outcome PlanningRun::search(const Budget& budget) {
+  state_->budget = PlanningBudget(budget);
+  state_->begin = Budget::Clock::now() - state_->quick_time;  // waiting is not planning
   if (auto plan = plan_by_search(state_->prepared, state_->budget, state_->findings)) {
     return state_->outcome(*std::move(plan));
   }
@@ -57,7 +61,7 @@ Outcome PlanningRun::search() {
 Outcome plan(const Problem& problem, const Budget& budget, const Observer& observer) {
   PlanningRun run(problem, budget, observer);
   if (auto decided = run.quick()) return *std::move(decided);
-  return run.search();
+  return run.search(budget);
 }
 
 }  // namespace dualarm

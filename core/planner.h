@@ -21,8 +21,9 @@ class PlanningRun {
   /// The analytic methods: milliseconds. Nothing where only the search can decide; otherwise the answer.
   std::optional<Outcome> quick();
 
-  /// The search in state-time space, after quick() gave nothing: until it is done or the budget is exhausted.
-  Outcome search();
+  /// The search in state-time space, after quick() gave nothing: until it is done or this budget is exhausted, which
+  /// takes the place of the run's, because the search may have had to wait for its turn.
+  Outcome search(const Budget& budget);
 
  private:
   struct State;

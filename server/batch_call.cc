@@ -28,7 +28,7 @@ class BatchCall::Item {
   Item(BatchCall& call, wire::PlanMotionBatchRequest request)
       : call_(call),
         request_(std::move(request)),
-        task_(call.planner_, call.caller_, request_.request(), planned_, WhenFull::kWait,
+        task_(call.setting_.planner, call.caller_, request_.request(), planned_, WhenFull::kWait,
               [this](const Answer& answer) { finish(answer); }) {}
 
   const wire::PlanMotionBatchRequest& request() const { return request_; }
@@ -53,10 +53,10 @@ class BatchCall::Item {
   PlanningTask task_;
 };
 
-BatchReactor* BatchCall::start(const Planner& planner, Places& places, int in_flight,
-                               const grpc::CallbackServerContext& context) {
-  auto* call = new BatchCall(planner, places, in_flight, context);  // deleted by OnDone
+BatchReactor* BatchCall::start(const Setting& setting, const grpc::CallbackServerContext& context) {
+  auto* call = new BatchCall(setting, context);  // deleted by OnDone
   if (call->place_) {
+    setting.ticker.add(*call);
     call->go_on();
   } else {
     const Answer refused = {too_many_streams(), "too many streams"};
@@ -66,8 +66,18 @@ BatchReactor* BatchCall::start(const Planner& planner, Places& places, int in_fl
   return call;
 }
 
-BatchCall::BatchCall(const Planner& planner, Places& places, int in_flight, const grpc::CallbackServerContext& context)
-    : planner_(planner), most_in_flight_(in_flight), caller_("PlanMotionBatch", context), place_(places.take()) {}
+BatchCall::BatchCall(const Setting& setting, const grpc::CallbackServerContext& context)
+    : setting_(setting), caller_("PlanMotionBatch", context), place_(setting.places.take()) {}
+
+void BatchCall::OnDone() {
+  setting_.ticker.remove(*this);
+  delete this;
+}
+
+// The client may be silent for ever: nothing else tells the call that the server drains.
+void BatchCall::tick(Ticker::Clock::time_point /*now*/) {
+  if (setting_.drains) go_on();
+}
 
 void BatchCall::OnReadDone(bool ok) {
   if (ok) take_up();
@@ -82,6 +92,7 @@ void BatchCall::OnReadDone(bool ok) {
 void BatchCall::take_up() {
   {
     const std::lock_guard lock(mutex_);
+    if (has_ended_) return;  // it came while the call ended because the server drains
     ++in_flight_;
   }
   wire::PlanMotionBatchRequest request;
@@ -127,32 +138,33 @@ void BatchCall::OnWriteDone(bool ok) {
   go_on();
 }
 
+// gRPC is called without the lock: it may call back, or end the call and with it the lock. Whoever is about to start
+// something keeps the others from ending the call.
 void BatchCall::go_on() {
-  bool reads = false;
-  bool writes = false;
-  bool ends_now = false;
-  Answer end;
-  {
-    const std::lock_guard lock(mutex_);
-    reads = begins_reading();
-    writes = begins_writing();
-    ends_now = ends();
-    if (ends_now) {
-      end = {caller_.has_left() ? cancelled() : grpc::Status::OK,
-             fmt::format("{} answered, {} of them by errors", answered_count_, error_count_), waited_};
-    }
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    const bool reads = begins_reading();
+    const bool writes = begins_writing();
+    if (!reads && !writes) break;
+    ++starting_;
+    lock.unlock();
+    if (writes) StartWrite(&outgoing_);
+    if (reads) StartRead(&incoming_);
+    lock.lock();
+    --starting_;
   }
-  // Without the lock: gRPC may end the call, and with it the lock, before the last of these returns.
-  if (writes) StartWrite(&outgoing_);
-  if (reads) StartRead(&incoming_);
-  if (ends_now) {
-    caller_.log(end);
-    Finish(end.status);
-  }
+  if (!ends()) return;
+  has_ended_ = true;
+  const grpc::Status status = is_read_to_the_end_ ? grpc::Status::OK : draining();
+  const Answer end = {caller_.has_left() ? cancelled() : status,
+                      fmt::format("{} answered, {} of them by errors", answered_count_, error_count_), waited_};
+  lock.unlock();
+  caller_.log(end);
+  Finish(end.status);  // the call may be gone from here on
 }
 
 bool BatchCall::begins_reading() {
-  if (is_reading_ || is_read_to_the_end_ || in_flight_ >= most_in_flight_) return false;
+  if (is_reading_ || is_read_to_the_end_ || in_flight_ >= setting_.in_flight || setting_.drains) return false;
   is_reading_ = true;
   return true;
 }
@@ -165,10 +177,9 @@ bool BatchCall::begins_writing() {
   return true;
 }
 
-bool BatchCall::ends() {
-  if (!is_read_to_the_end_ || is_reading_ || is_writing_ || in_flight_ > 0 || has_ended_) return false;
-  has_ended_ = true;
-  return true;
+bool BatchCall::ends() const {
+  const bool reads_no_more = setting_.drains || (is_read_to_the_end_ && !is_reading_);
+  return reads_no_more && !is_writing_ && in_flight_ == 0 && starting_ == 0 && !has_ended_;
 }
 
 }  // namespace dualarm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <mutex>
@@ -10,28 +11,38 @@
 #include "server/planning_methods.h"
 #include "server/planning_task.h"
 #include "server/request_ids.h"
+#include "server/ticker.h"
 
 namespace dualarm {
 
 /// One call of PlanMotionBatch. A request is in flight from when it is read until its answer is handed to the network.
 /// The next one is read only while fewer than a limit are in flight: a reader who is slow to take answers stops the
-/// reading and the computing.
-class BatchCall final : public BatchReactor {
+/// reading and the computing. Where the server drains, what was read is answered and the call ends.
+class BatchCall final : public BatchReactor, private Ticker::Listener {
  public:
-  /// The reactor owns itself. in_flight >= 1.
-  static BatchReactor* start(const Planner& planner, Places& places, int in_flight,
-                             const grpc::CallbackServerContext& context);
+  /// What all batches of a server share; outlives them.
+  struct Setting {
+    const Planner& planner;
+    Ticker& ticker;
+    Places& places;
+    int in_flight = 1;                ///< requests of one batch, at least 1
+    const std::atomic<bool>& drains;  ///< the server reads no more requests
+  };
+
+  /// The reactor owns itself.
+  static BatchReactor* start(const Setting& setting, const grpc::CallbackServerContext& context);
 
  private:
   /// One request of the stream; deletes itself when it is answered.
   class Item;
 
-  BatchCall(const Planner& planner, Places& places, int in_flight, const grpc::CallbackServerContext& context);
+  BatchCall(const Setting& setting, const grpc::CallbackServerContext& context);
 
   void OnCancel() override { caller_.leave(); }
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;
-  void OnDone() override { delete this; }
+  void OnDone() override;
+  void tick(Ticker::Clock::time_point now) override;
 
   /// Takes up the request that was read.
   void take_up();
@@ -41,10 +52,9 @@ class BatchCall final : public BatchReactor {
   void go_on();
   bool begins_reading();
   bool begins_writing();
-  bool ends();
+  bool ends() const;
 
-  const Planner& planner_;
-  const int most_in_flight_;
+  const Setting setting_;
   Caller caller_;
   Place place_;
   RequestIds ids_;             // only where a read ends
@@ -52,6 +62,7 @@ class BatchCall final : public BatchReactor {
 
   std::mutex mutex_;  // of everything below
   int in_flight_ = 0;
+  int starting_ = 0;  // threads that are about to start what they have begun
   std::deque<wire::PlanMotionBatchResponse> unsent_;
   wire::PlanMotionBatchResponse outgoing_;  // being written
   bool is_reading_ = false;

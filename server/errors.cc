@@ -129,6 +129,11 @@ grpc::Status batch_too_long(std::size_t most) {
   return status(grpc::StatusCode::RESOURCE_EXHAUSTED, message, message, error_info("BATCH_TOO_LONG"));
 }
 
+grpc::Status draining() {
+  const std::string message = "the server stops: send the requests that have no answer to another, or here again later";
+  return status(grpc::StatusCode::UNAVAILABLE, message, message, error_info("DRAINING"));
+}
+
 grpc::Status out_of_time(std::string_view what, std::string_view remedy) {
   const std::string message =
       fmt::format("{} was not ready within the deadline and the server's longest computation of one call: ask for {}",

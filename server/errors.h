@@ -38,6 +38,9 @@ grpc::Status too_many_streams();
 /// RESOURCE_EXHAUSTED: the stream has had `most` requests.
 grpc::Status batch_too_long(std::size_t most);
 
+/// UNAVAILABLE: the server drains; what is not answered may be asked of another.
+grpc::Status draining();
+
 /// DEADLINE_EXCEEDED: `what` takes longer than the caller waits or the server allows a call; `remedy` says what to ask
 /// for instead.
 grpc::Status out_of_time(std::string_view what, std::string_view remedy);

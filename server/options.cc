@@ -15,6 +15,17 @@
 namespace dualarm {
 namespace {
 
+void add_request_limits(CLI::App& app, RequestLimits& limits) {
+  const auto add = [&app](const char* flag, int& limit, const char* environment, const char* what) {
+    app.add_option(flag, limit, what)->envname(environment)->check(CLI::Range(1, 10'000'000));
+  };
+  add("--max-objects", limits.objects, "DUALARM_MAX_OBJECTS", "Objects of a scene");
+  add("--max-poses", limits.poses, "DUALARM_MAX_POSES", "Poses of an object's track");
+  add("--max-knots", limits.knots, "DUALARM_MAX_KNOTS", "Knots, and arcs, of a trajectory that is to be verified");
+  add("--max-table-lines", limits.table_lines, "DUALARM_MAX_TABLE_LINES", "Positions or velocities of a torque table");
+  add("--max-table-entries", limits.table_entries, "DUALARM_MAX_TABLE_ENTRIES", "Entries of a torque table");
+}
+
 void add_options(CLI::App& app, ServerOptions& options) {
   app.add_option("--listen", options.listen, "HOST:PORT (port 0: any free one) or unix:PATH")
       ->envname("DUALARM_LISTEN")
@@ -48,6 +59,10 @@ void add_options(CLI::App& app, ServerOptions& options) {
   app.add_option("--batch-in-flight", options.batch_in_flight, "Requests of one batch that are read and not answered")
       ->envname("DUALARM_BATCH_IN_FLIGHT")
       ->check(CLI::Range(1, 10'000));
+  app.add_option("--search-memory-mib", options.search_memory_mib, "What one search may take in MiB")
+      ->envname("DUALARM_SEARCH_MEMORY_MIB")
+      ->check(CLI::Range(1, 65536));
+  add_request_limits(app, options.request);
   app.add_option("--planning-budget", options.planning_budget, "Longest computation of one request in seconds")
       ->envname("DUALARM_PLANNING_BUDGET")
       ->check(CLI::Range(1e-3, 1e6));

@@ -3,6 +3,8 @@
 #include <string>
 #include <variant>
 
+#include "server/request/request_limits.h"
+
 namespace dualarm {
 
 /// How the server runs. Each can be given by flag, by environment variable (DUALARM_ and the flag's name in capitals
@@ -20,6 +22,8 @@ struct ServerOptions {
   int niceness = 19;                       ///< of threads that search or draw, 0 to 19
   int max_streams = 2000;                  ///< calls of PlanMotionStream and PlanMotionBatch at once
   int batch_in_flight = 64;                ///< requests of one batch that are read and not answered
+  int search_memory_mib = 32;              ///< what one search may take, MiB
+  RequestLimits request;                   ///< how much a request may hold
   double planning_budget = 10.0;           ///< s, longest computation of one request
   double drain_seconds = 10.0;             ///< s, that running calls get to finish after SIGTERM or SIGINT
   double drain_notice = 0.0;               ///< s, that it still serves while health says NOT_SERVING, before it drains

@@ -11,7 +11,7 @@ class CoreSteps final : public PlanningSteps {
   CoreSteps(const Problem& problem, const Budget& budget, const Observer& observer) : run_(problem, budget, observer) {}
 
   std::optional<Outcome> quick() override { return run_.quick(); }
-  Outcome search() override { return run_.search(); }
+  Outcome search(const Budget& budget) override { return run_.search(budget); }
 
  private:
   PlanningRun run_;

@@ -20,12 +20,12 @@ class PlanningSteps {
   /// Nothing where only the search can decide.
   virtual std::optional<Outcome> quick() = 0;
 
-  /// After quick() gave nothing; perhaps later and on another thread.
-  virtual Outcome search() = 0;
+  /// After quick() gave nothing; perhaps later and on another thread, with what is left of the budget.
+  virtual Outcome search(const Budget& budget) = 0;
 };
 
 /// What the service calls: PlanningRun, verify, forbidden_region and arm_portrait of core; tests put others in their
-/// place. Problem, budget and observer outlive the steps.
+/// place. Problem and observer outlive the steps.
 struct PlanningFunctions {
   std::function<std::unique_ptr<PlanningSteps>(const Problem&, const Budget&, const Observer&)> begin_planning;
   std::function<Verification(const Problem&, const Trajectory&, const Budget&, bool check_end_states)> verify;

@@ -28,7 +28,9 @@ std::chrono::nanoseconds nanoseconds(double seconds) {
 }
 
 ServiceLimits limits_of(const ServerOptions& options) {
-  return {nanoseconds(options.planning_budget), options.max_streams, options.batch_in_flight};
+  constexpr std::size_t kMebibyte = 1024 * 1024;
+  return {nanoseconds(options.planning_budget), static_cast<std::size_t>(options.search_memory_mib) * kMebibyte,
+          options.max_streams, options.batch_in_flight, options.request};
 }
 
 // gRPC stays up until the process ends. When its last object goes, version 1.51 waits for a poller that may be asleep
@@ -119,6 +121,7 @@ void PlanningServer::announce_end() { server_->GetHealthCheckService()->Shutdown
 void PlanningServer::drain(std::chrono::nanoseconds patience) {
   if (server_ == nullptr) return;
   announce_end();
+  service_.drain();
   server_->Shutdown(std::chrono::system_clock::now() + patience);
   server_->Wait();
   server_.reset();

@@ -26,7 +26,7 @@ std::string note_on(const wire::GetPhasePortraitResponse& response) {
 }  // namespace
 
 PlanningService::PlanningService(PlanningFunctions functions, WorkerPools& pools, const ServiceLimits& limits)
-    : planner_{std::move(functions), pools, limits.longest_planning},
+    : planner_{std::move(functions), pools, limits.longest_planning, limits.search_memory, limits.request},
       streams_(limits.streams),
       batch_in_flight_(limits.batch_in_flight),
       ticker_(kTick) {}
@@ -43,7 +43,7 @@ grpc::ServerWriteReactor<wire::PlanMotionStreamResponse>* PlanningService::PlanM
 }
 
 BatchReactor* PlanningService::PlanMotionBatch(grpc::CallbackServerContext* context) {
-  return BatchCall::start(planner_, streams_, batch_in_flight_, *context);
+  return BatchCall::start({planner_, ticker_, streams_, batch_in_flight_, drains_}, *context);
 }
 
 grpc::ServerUnaryReactor* PlanningService::VerifyMotion(grpc::CallbackServerContext* context,
@@ -51,7 +51,7 @@ grpc::ServerUnaryReactor* PlanningService::VerifyMotion(grpc::CallbackServerCont
                                                         wire::VerifyMotionResponse* response) {
   return UnaryCall::start(planner_.pools.quick, "VerifyMotion", *context, *request,
                           [this, request, response](const Caller& caller) {
-                            const Parsed<VerifyWish> parsed = parse(*request);
+                            const Parsed<VerifyWish> parsed = parse(*request, planner_.limits);
                             if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
                             const auto& wish = std::get<VerifyWish>(parsed);
                             const Verification verification = planner_.functions.verify(
@@ -67,7 +67,7 @@ grpc::ServerUnaryReactor* PlanningService::GetForbiddenRegion(grpc::CallbackServ
   return UnaryCall::start(
       planner_.pools.drawings, "GetForbiddenRegion", *context, *request,
       [this, request, response](const Caller& caller) {
-        const Parsed<RegionWish> parsed = parse(*request);
+        const Parsed<RegionWish> parsed = parse(*request, planner_.limits);
         if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
         const auto& wish = std::get<RegionWish>(parsed);
         const auto contours =
@@ -84,7 +84,7 @@ grpc::ServerUnaryReactor* PlanningService::GetPhasePortrait(grpc::CallbackServer
                                                             wire::GetPhasePortraitResponse* response) {
   return UnaryCall::start(
       planner_.pools.drawings, "GetPhasePortrait", *context, *request, [this, request, response](const Caller& caller) {
-        const Parsed<PortraitWish> parsed = parse(*request);
+        const Parsed<PortraitWish> parsed = parse(*request, planner_.limits);
         if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
         const auto& wish = std::get<PortraitWish>(parsed);
         const auto portrait =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 
 #include "server/places.h"
@@ -15,8 +16,10 @@ namespace dualarm {
 /// What one server allows its callers.
 struct ServiceLimits {
   std::chrono::nanoseconds longest_planning;  ///< of one request
+  std::size_t search_memory = 0;              ///< bytes of one search
   int streams = 0;                            ///< open at once, batches included
   int batch_in_flight = 0;                    ///< requests of one batch that are read and not answered
+  RequestLimits request;
 };
 
 /// The RPCs of proto/dualarm/planning/v1/planning_service.proto. Each parses, has a worker compute, and renders; no
@@ -25,6 +28,9 @@ class PlanningService final : public PlanningMethods {
  public:
   /// `pools` must outlive the service and every call, the service every call.
   PlanningService(PlanningFunctions functions, WorkerPools& pools, const ServiceLimits& limits);
+
+  /// From now on no batch reads another request: it answers what it has read and ends.
+  void drain() { drains_ = true; }
 
   grpc::ServerUnaryReactor* PlanMotion(grpc::CallbackServerContext* context, const wire::PlanMotionRequest* request,
                                        wire::PlanMotionResponse* response) override;
@@ -44,6 +50,7 @@ class PlanningService final : public PlanningMethods {
   Planner planner_;
   Places streams_;
   int batch_in_flight_;
+  std::atomic<bool> drains_ = false;
   Ticker ticker_;
 };
 

@@ -65,15 +65,15 @@ void PlanningTask::resume() {
 
 std::optional<Answer> PlanningTask::plan_quickly() {
   if (caller_.has_left()) return gone("before it began");
-  Parsed<PlanWish> parsed = parse(request_);
+  Parsed<PlanWish> parsed = parse(request_, planner_.limits);
   if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
   wish_ = std::get<PlanWish>(std::move(parsed));
+  wish_.problem.options.search_memory = planner_.search_memory;
   if (wish_.validate_only) return Answer{grpc::Status::OK, note_on(response_)};
 
   const auto begin = Clock::now();
   const auto allowed = std::min(wish_.budget.value_or(planner_.longest), planner_.longest);
-  budget_ = caller_.budget(allowed);
-  steps_ = planner_.functions.begin_planning(wish_.problem, budget_, observer_);
+  steps_ = planner_.functions.begin_planning(wish_.problem, caller_.budget(allowed), observer_);
   if (const auto outcome = steps_->quick()) return answer(*outcome);
   if (caller_.has_left()) return gone("before the search");
   budget_left_ = allowed - (Clock::now() - begin);
@@ -83,8 +83,7 @@ std::optional<Answer> PlanningTask::plan_quickly() {
 
 Answer PlanningTask::search() {
   if (caller_.has_left()) return gone("before the search");
-  budget_ = caller_.budget(budget_left_);
-  return answer(steps_->search());
+  return answer(steps_->search(caller_.budget(budget_left_)));
 }
 
 Answer PlanningTask::answer(const Outcome& outcome) {

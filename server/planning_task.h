@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,6 +20,8 @@ struct Planner {
   PlanningFunctions functions;
   WorkerPools& pools;
   std::chrono::nanoseconds longest;  ///< computation for one request
+  std::size_t search_memory;         ///< bytes of one search
+  RequestLimits limits;
 };
 
 /// Whether a request is refused or waits when the pools are full.
@@ -60,7 +63,6 @@ class PlanningTask {
   const Done done_;
   const Observer observer_;
   PlanWish wish_;
-  Budget budget_;
   std::chrono::nanoseconds budget_left_{};
   std::unique_ptr<PlanningSteps> steps_;
   Clock::time_point submitted_;

@@ -20,10 +20,10 @@ std::string Field::path_to(std::string_view name) const {
   return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
 }
 
-Field Field::child(std::string_view name) const { return {path_to(name), *violations_}; }
+Field Field::child(std::string_view name) const { return {path_to(name), *violations_, *limits_}; }
 
 Field Field::child(std::string_view name, int index) const {
-  return {fmt::format("{}[{}]", path_to(name), index), *violations_};
+  return {fmt::format("{}[{}]", path_to(name), index), *violations_, *limits_};
 }
 
 void Field::complain(std::string description) const { violations_->add({path_, std::move(description)}); }

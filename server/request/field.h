@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "server/request/ranges.h"
+#include "server/request/request_limits.h"
 #include "server/request/violations.h"
 
 namespace dualarm {
@@ -12,8 +13,9 @@ namespace dualarm {
 /// and return what the message says; they go on after a violation, so that one answer names every one of them.
 class Field {
  public:
-  /// `path` is empty for the whole request. `violations` must outlive this field and its children.
-  Field(std::string path, Violations& violations) : path_(std::move(path)), violations_(&violations) {}
+  /// `path` is empty for the whole request. `violations` and `limits` must outlive this field and its children.
+  Field(std::string path, Violations& violations, const RequestLimits& limits = kDefaultLimits)
+      : path_(std::move(path)), violations_(&violations), limits_(&limits) {}
 
   Field child(std::string_view name) const;
   Field child(std::string_view name, int index) const;
@@ -30,11 +32,15 @@ class Field {
 
   const std::string& path() const { return path_; }
 
+  /// Of the whole request.
+  const RequestLimits& limits() const { return *limits_; }
+
  private:
   std::string path_to(std::string_view name) const;
 
   std::string path_;
   Violations* violations_;
+  const RequestLimits* limits_;
 };
 
 /// A string of a request as it may be shown in logs and answers: quoted, at most 64 characters, nothing but printable

@@ -61,8 +61,8 @@ PoseTrack read_track(const wire::PoseTrack& message, const Field& track) {
     track.complain_missing("poses", "give at least one");
     return {};
   }
-  if (count > ranges::kMostPoses) {
-    track.complain("poses", fmt::format("has {} entries, must have at most {}", count, ranges::kMostPoses));
+  if (count > track.limits().poses) {
+    track.complain("poses", fmt::format("has {} entries, must have at most {}", count, track.limits().poses));
     return {};
   }
   std::vector<TimedPose> poses;

@@ -48,15 +48,8 @@ inline constexpr Range kAny = {-1e300, 1e300, ""};
 inline constexpr double kDefaultKnotPeriod = 0.01;   // s
 inline constexpr int kDefaultResolution = 181;       // points along a joint range: one a degree of [0, pi]
 inline constexpr int kDefaultCurveResolution = 361;  // points a curve: two a degree
-inline constexpr int kMostObjects = 1000;
-inline constexpr int kMostPoses = 10000;  // of one track
-inline constexpr int kMostListed = 16;    // tasks, methods: more are refused unread
-inline constexpr int kLongestName = 64;   // characters
-
-/// Positions or velocities of a torque table, and entries in all: two tables fill a request of 4 MB, which is what a
-/// server takes by default, and a solver that follows every bend stays quick.
-inline constexpr int kMostTableLines = 1000;
-inline constexpr int kMostTableEntries = 100000;
+inline constexpr int kMostListed = 16;               // tasks, methods: more are refused unread
+inline constexpr int kLongestName = 64;              // characters
 
 /// Most that friction and the slope of a drive's line may add up to, over the inertia (1/s), and the least speed
 /// (rad/s) at which friction may use up the largest torque.
@@ -66,9 +59,6 @@ inline constexpr double kLeastTopSpeed = 1e-9;
 /// Most that a limit of a torque table may change with the velocity, over the inertia (1/s): a drive that is faster
 /// than a millisecond is beyond what a controller plays and a plan's knots can show.
 inline constexpr double kSteepestTable = 1e3;
-
-/// Two arms with this many knots fill 4 MB, and 4 MiB is what a gRPC client takes by default.
-inline constexpr int kMostKnots = 50000;
 
 /// s. Poses of a track are at least this far apart: a last digit of the largest times is 1e-10 s.
 inline constexpr double kShortestStep = 1e-6;

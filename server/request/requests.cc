@@ -33,9 +33,9 @@ Parsed<Wish> wish_or_violations(Wish wish, Violations violations) {
 
 }  // namespace
 
-Parsed<PlanWish> parse(const wire::PlanMotionRequest& message) {
+Parsed<PlanWish> parse(const wire::PlanMotionRequest& message, const RequestLimits& limits) {
   Violations violations;
-  const Field request("", violations);
+  const Field request("", violations, limits);
   const Field options = request.child("options");
   PlanWish wish;
   wish.problem = read_surroundings(message, request);
@@ -47,9 +47,9 @@ Parsed<PlanWish> parse(const wire::PlanMotionRequest& message) {
   return wish_or_violations(std::move(wish), std::move(violations));
 }
 
-Parsed<VerifyWish> parse(const wire::VerifyMotionRequest& message) {
+Parsed<VerifyWish> parse(const wire::VerifyMotionRequest& message, const RequestLimits& limits) {
   Violations violations;
-  const Field request("", violations);
+  const Field request("", violations, limits);
   VerifyWish wish;
   wish.problem = read_surroundings(message, request);
   wish.check_end_states = message.tasks_size() > 0;
@@ -59,9 +59,9 @@ Parsed<VerifyWish> parse(const wire::VerifyMotionRequest& message) {
   return wish_or_violations(std::move(wish), std::move(violations));
 }
 
-Parsed<RegionWish> parse(const wire::GetForbiddenRegionRequest& message) {
+Parsed<RegionWish> parse(const wire::GetForbiddenRegionRequest& message, const RequestLimits& limits) {
   Violations violations;
-  const Field request("", violations);
+  const Field request("", violations, limits);
   RegionWish wish;
   wish.problem = read_surroundings(message, request);
   wish.problem.options.clearance = request.number("clearance_m", message.clearance_m(), ranges::kSize);
@@ -70,9 +70,9 @@ Parsed<RegionWish> parse(const wire::GetForbiddenRegionRequest& message) {
   return wish_or_violations(std::move(wish), std::move(violations));
 }
 
-Parsed<PortraitWish> parse(const wire::GetPhasePortraitRequest& message) {
+Parsed<PortraitWish> parse(const wire::GetPhasePortraitRequest& message, const RequestLimits& limits) {
   Violations violations;
-  const Field request("", violations);
+  const Field request("", violations, limits);
   PortraitWish wish;
   wish.problem = read_surroundings(message, request);
   if (message.has_task()) {

@@ -6,6 +6,7 @@
 
 #include "core/model/problem.h"
 #include "core/model/trajectory.h"
+#include "server/request/request_limits.h"
 #include "server/request/violations.h"
 #include "server/wire.h"
 
@@ -38,9 +39,9 @@ struct PortraitWish {
   int resolution = 0;
 };
 
-Parsed<PlanWish> parse(const wire::PlanMotionRequest& message);
-Parsed<VerifyWish> parse(const wire::VerifyMotionRequest& message);
-Parsed<RegionWish> parse(const wire::GetForbiddenRegionRequest& message);
-Parsed<PortraitWish> parse(const wire::GetPhasePortraitRequest& message);
+Parsed<PlanWish> parse(const wire::PlanMotionRequest& message, const RequestLimits& limits = kDefaultLimits);
+Parsed<VerifyWish> parse(const wire::VerifyMotionRequest& message, const RequestLimits& limits = kDefaultLimits);
+Parsed<RegionWish> parse(const wire::GetForbiddenRegionRequest& message, const RequestLimits& limits = kDefaultLimits);
+Parsed<PortraitWish> parse(const wire::GetPhasePortraitRequest& message, const RequestLimits& limits = kDefaultLimits);
 
 }  // namespace dualarm

@@ -44,9 +44,9 @@ Placement read_placement(const wire::Object& message, const Field& field, const 
 }  // namespace
 
 std::vector<Object> read_scene(const wire::Scene& message, const Field& scene, const Arms& arms) {
-  if (message.objects_size() > ranges::kMostObjects) {
+  if (message.objects_size() > scene.limits().objects) {
     scene.complain("objects",
-                   fmt::format("has {} entries, must have at most {}", message.objects_size(), ranges::kMostObjects));
+                   fmt::format("has {} entries, must have at most {}", message.objects_size(), scene.limits().objects));
     return {};
   }
   std::vector<Object> objects;

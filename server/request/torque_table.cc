@@ -12,8 +12,8 @@ using Column = google::protobuf::RepeatedField<double>;
 
 /// The values of a grid, which have to ascend; nothing if there are none or too many.
 std::vector<double> read_grid(const Column& column, std::string_view name, const Range& range, const Field& table) {
-  if (column.empty() || column.size() > ranges::kMostTableLines) {
-    table.complain(name, fmt::format("has {} entries, must have 1 to {}", column.size(), ranges::kMostTableLines));
+  if (column.empty() || column.size() > table.limits().table_lines) {
+    table.complain(name, fmt::format("has {} entries, must have 1 to {}", column.size(), table.limits().table_lines));
     return {};
   }
   for (int k = 0; k < column.size(); ++k) {
@@ -60,11 +60,11 @@ bool has_rows(const wire::TorqueTable& message, const TorqueTable& grid, const F
     table.complain("rows", fmt::format("has {} entries, must have {} as position_rad has", message.rows_size(), rows));
     return false;
   }
-  if (rows * columns > ranges::kMostTableEntries) {
+  if (rows * columns > static_cast<std::size_t>(table.limits().table_entries)) {
     table.complain(
         fmt::format("has {} positions times {} velocities = {} entries, must have at most {} in all: thin "
                     "the grid out where the limits are straight",
-                    rows, columns, rows * columns, ranges::kMostTableEntries));
+                    rows, columns, rows * columns, table.limits().table_entries));
     return false;
   }
   return true;

@@ -27,8 +27,8 @@ void check_column(const Column& column, std::string_view name, int length, const
 
 std::vector<Knot> read_knots(const wire::Knots& message, const Field& field) {
   const int length = message.time_s_size();
-  if (length > ranges::kMostKnots) {
-    field.complain("time_s", fmt::format("has {} entries, must have at most {}", length, ranges::kMostKnots));
+  if (length > field.limits().knots) {
+    field.complain("time_s", fmt::format("has {} entries, must have at most {}", length, field.limits().knots));
     return {};
   }
   check_column(message.time_s(), "time_s", length, field);
@@ -80,9 +80,9 @@ ArmTrajectory read_trajectory(const wire::ArmTrajectory& message, const Field& f
   trajectory.arm = message.arm();
   trajectory.start_time = field.number("start_time_s", message.start_time_s(), ranges::kAny);
   trajectory.duration = field.number("duration_s", message.duration_s(), ranges::kAny);
-  if (message.arcs_size() > ranges::kMostKnots) {
+  if (message.arcs_size() > field.limits().knots) {
     field.complain("arcs",
-                   fmt::format("has {} entries, must have at most {}", message.arcs_size(), ranges::kMostKnots));
+                   fmt::format("has {} entries, must have at most {}", message.arcs_size(), field.limits().knots));
   } else {
     for (int i = 0; i < message.arcs_size(); ++i) {
       trajectory.arcs.push_back(read_arc(message.arcs(i), field.child("arcs", i)));

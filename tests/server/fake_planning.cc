@@ -7,23 +7,27 @@ namespace {
 
 class FakeSteps final : public PlanningSteps {
  public:
-  FakeSteps(std::function<Outcome()> planning, bool searches) : planning_(std::move(planning)), searches_(searches) {}
+  FakeSteps(std::function<Outcome(const Budget&)> planning, const Budget& budget, bool searches)
+      : planning_(std::move(planning)), budget_(budget), searches_(searches) {}
 
   std::optional<Outcome> quick() override {
     if (searches_) return std::nullopt;
-    return planning_();
+    return planning_(budget_);
   }
-  Outcome search() override { return planning_(); }
+  Outcome search(const Budget& budget) override { return planning_(budget); }
 
  private:
-  std::function<Outcome()> planning_;
+  std::function<Outcome(const Budget&)> planning_;
+  Budget budget_;
   bool searches_;
 };
 
 BeginPlanning steps_of(FakePlanning planning, bool searches) {
   return [planning, searches](const Problem& problem, const Budget& budget, const Observer& observer) {
-    return std::make_unique<FakeSteps>(
-        [planning, &problem, &budget, &observer] { return planning(problem, budget, observer); }, searches);
+    const auto plan = [planning, &problem, &observer](const Budget& given) {
+      return planning(problem, given, observer);
+    };
+    return std::make_unique<FakeSteps>(plan, budget, searches);
   };
 }
 

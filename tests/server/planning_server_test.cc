@@ -171,6 +171,27 @@ TEST(PlanningServer, DrainingFinishesRunningCallsAndRefusesNewOnes) {
   EXPECT_EQ(response.undecided().explanation(), "finished");
 }
 
+TEST(PlanningServer, DrainingAnswersWhatABatchHasReadAndEndsItEvenIfItIsSilent) {
+  TestServer server;
+  const auto stub = server.stub();
+  grpc::ClientContext context;
+  const auto batch = stub->PlanMotionBatch(&context);
+  wire::PlanMotionBatchRequest request;
+  request.set_request_id("first");
+  *request.mutable_request() = paper_request();
+  ASSERT_TRUE(batch->Write(request));
+  wire::PlanMotionBatchResponse answer;
+  ASSERT_TRUE(batch->Read(&answer));
+  EXPECT_TRUE(answer.has_response());
+  const auto begin = std::chrono::steady_clock::now();
+  server.server().drain(std::chrono::seconds(60));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+  EXPECT_FALSE(batch->Read(&answer));
+  const grpc::Status status = batch->Finish();
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_THAT(status.error_message(), HasSubstr("send the requests that have no answer to another"));
+}
+
 TEST(PlanningServer, DrainingCancelsCallsWhenPatienceEnds) {
   std::promise<void> begun;
   TestServer server(functions_with(quick_planning([&](const Problem&, const Budget& budget, const Observer&) {
