@@ -22,9 +22,6 @@ namespace {
 
 /// Part of the time left that the search for an arm's fastest motion may take: what is found has to be put together.
 constexpr double kFastestMotionShare = 0.5;
-/// s. How long plans may be for bounds to be sought where no plan is known: how far an arm gets in so long a time is
-/// limited by its joint range.
-constexpr double kMostWaiting = 1e4;
 
 class AnalyticPlanner {
  public:
@@ -77,29 +74,35 @@ class AnalyticPlanner {
 
   /// No plan ends before the last moving object has passed the goals.
   std::optional<Infeasible> await_goal_visits() {
-    const auto planned = last_goal_visit(problem_, prepared_.clearance());
+    const auto planned = last_goal_visit(problem_, prepared_.clearance(), budget_.methods);
     if (!planned) return std::nullopt;
-    if (std::isinf(planned->until)) return refuse_goal_visit(problem_, *planned, prepared_.margin());
+    if (std::isinf(planned->until)) return refuse_visit(problem_, *planned, prepared_.margin());
     findings_.bounds.planned_visit = planned->until;
-    if (const auto visit = last_goal_visit(problem_, problem_.options.clearance)) {
+    if (const auto visit = last_goal_visit(problem_, problem_.options.clearance, budget_.methods)) {
       findings_.bounds.visit = VisitBound{visit->until, *visit};
     }
     return std::nullopt;
   }
 
-  /// Moving objects may be in an arm's way. `known` (s) is the duration of a plan, infinite where there is none.
-  void bound_by_traffic(double known) {
+  /// Moving objects may be in an arm's way. `known` (s) is the duration of a plan, infinite where there is none. The
+  /// refusal of one that stays.
+  std::optional<Infeasible> bound_by_traffic(double known) {
     KnownBounds& bounds = findings_.bounds;
-    if (!prepared_.has_moving_objects() || known <= std::max(bounds.of_every_plan(), bounds.planned_visit)) return;
-    const double longest = std::min(known, kMostWaiting);
-    const auto proof = [&](double clearance, double floor) {
-      return traffic_proof(problem_, clearance, floor, longest, budget_.methods);
+    const double least = std::max(bounds.of_every_plan(), bounds.planned_visit);
+    if (!prepared_.has_moving_objects() || known <= least) return std::nullopt;
+    const auto planned = traffic_proof(problem_, prepared_.clearance(), bounds.planned_visit, known, budget_.methods);
+    if (!planned) return std::nullopt;
+    const auto visit = [this](const TrafficProof& proof, double clearance) {
+      return visit_until(problem_, proof.arm, proof.position, clearance, proof.until, budget_.methods);
     };
-    const double demanded = problem_.options.clearance;
-    if (const auto found = proof(demanded, bounds.of_every_plan())) {
-      bounds.visit = {found->duration, visit_until(problem_, found->arm, found->position, demanded, found->until)};
+    if (std::isinf(planned->duration)) {
+      return refuse_visit(problem_, visit(*planned, prepared_.clearance()), prepared_.margin());
     }
-    if (const auto found = proof(prepared_.clearance(), bounds.planned_visit)) bounds.planned_visit = found->duration;
+    bounds.planned_visit = planned->duration;
+    const double demanded = problem_.options.clearance;
+    const auto found = traffic_proof(problem_, demanded, bounds.of_every_plan(), known, budget_.methods);
+    if (found) bounds.visit = {found->duration, visit(*found, demanded)};
+    return std::nullopt;
   }
 
   void bound_by_monotone_motions() {
@@ -119,7 +122,7 @@ class AnalyticPlanner {
     findings_.safe_delays = choice.safe_delays;
     if (!choice.times) findings_.tried.push_back(choice.why_not);
     const double known = choice.times ? choice.times->duration : std::numeric_limits<double>::infinity();
-    bound_by_traffic(known);
+    if (auto refusal = bound_by_traffic(known)) return *refusal;
     const double longest = std::max(slower_duration(), findings_.bounds.planned_visit);
     if (known > longest * (1.0 + kAtBound)) bound_by_passage();
     if (is_parted_) return refuse_parted(problem_);

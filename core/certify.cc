@@ -1,8 +1,17 @@
 #include "core/certify.h"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include "core/wording.h"
 
 namespace dualarm {
+namespace {
+
+/// By how much, relative, a proven bound may exceed a verified plan: end states have a tolerance of 1e-7.
+constexpr double kContradiction = 1e-6;
+
+}  // namespace
 
 Certificate certify(double duration, const KnownBounds& known) {
   Certificate certificate;
@@ -17,6 +26,10 @@ Certificate certify(double duration, const KnownBounds& known) {
     certificate.source = LowerBoundSource::kMovingObject;
     certificate.gate.reset();
     certificate.visit = known.visit->visit;
+  }
+  if (certificate.lower_bound > duration * (1.0 + kContradiction)) {
+    throw std::logic_error(worded("a plan of ", duration, " s was verified, and ", certificate.lower_bound,
+                                  " s were proven to be needed"));
   }
   certificate.gap = duration > 0.0 ? std::max(0.0, duration / certificate.lower_bound - 1.0) : 0.0;
   const double of_planned = std::max({certificate.lower_bound, known.planned.duration, known.planned_visit});

@@ -11,7 +11,7 @@ std::optional<IntervalSet> forbidden_starts(const Profile& motion, const Base& b
                                             const std::vector<TrackedBody>& objects, double clearance,
                                             const Budget& budget) {
   if (objects.empty()) return IntervalSet();
-  const Traffic traffic(base, bodies, objects, clearance);
+  const Traffic traffic(base, bodies, objects, clearance, budget);
   const bool stays = motion.goal_state().velocity == 0.0;
   const auto differences = project(traffic, motion, {motion.duration(), stays}, budget);
   if (!differences) return std::nullopt;

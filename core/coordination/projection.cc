@@ -54,7 +54,9 @@ class Projection {
   std::optional<IntervalSet> run() {
     stand_still();
     if (!subdivide()) return std::nullopt;
-    return polished();
+    IntervalSet differences = polished();
+    if (budget_.exhausted()) return std::nullopt;  // slices end early then
+    return differences;
   }
 
  private:

@@ -64,24 +64,25 @@ Ball RideTree::enclose(std::size_t begin, std::size_t end) {
   return balls_[middle] = ball;
 }
 
-void RideTree::add_meetings(const Shape& fixed, double distance, std::vector<Interval>& times) const {
-  add_meetings(0, rides_.size(), fixed, distance, times);
+void RideTree::add_meetings(const Shape& fixed, double distance, const Budget& budget,
+                            std::vector<Interval>& times) const {
+  add_meetings(0, rides_.size(), fixed, distance, budget, times);
 }
 
 void RideTree::add_meetings(std::size_t begin, std::size_t end, const Shape& fixed, double distance,
-                            std::vector<Interval>& times) const {
+                            const Budget& budget, std::vector<Interval>& times) const {
   if (begin >= end) return;
   const std::size_t middle = middle_of(begin, end);
   const Ball& all = balls_[middle];
-  if (distance_to_ball(fixed, all.middle, all.radius) > distance) return;
-  add_meetings(begin, middle, fixed, distance, times);
+  if (distance_to_ball(fixed, all.middle, all.radius) > distance || budget.exhausted()) return;
+  add_meetings(begin, middle, fixed, distance, budget, times);
   const Ride& ride = rides_[middle];
   const Ball ball = ride.ball();
   if (distance_to_ball(fixed, ball.middle, ball.radius) <= distance) {
     const std::vector<Interval> meetings = colliding_parameters(fixed, ride, distance, ride.times());
     times.insert(times.end(), meetings.begin(), meetings.end());
   }
-  add_meetings(middle + 1, end, fixed, distance, times);
+  add_meetings(middle + 1, end, fixed, distance, budget, times);
 }
 
 }  // namespace dualarm

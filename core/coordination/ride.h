@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/coordination/advance.h"
+#include "core/model/budget.h"
 #include "core/model/problem.h"
 
 namespace dualarm {
@@ -41,11 +42,12 @@ class RideTree {
 
   bool empty() const { return rides_.empty(); }
 
-  /// The times (s) at which a ride comes closer than `distance` (m) to a fixed shape are added to `times`.
-  void add_meetings(const Shape& fixed, double distance, std::vector<Interval>& times) const;
+  /// The times (s) at which a ride comes closer than `distance` (m) to a fixed shape are added to `times`; not all of
+  /// them if the budget runs out.
+  void add_meetings(const Shape& fixed, double distance, const Budget& budget, std::vector<Interval>& times) const;
 
  private:
-  void add_meetings(std::size_t begin, std::size_t end, const Shape& fixed, double distance,
+  void add_meetings(std::size_t begin, std::size_t end, const Shape& fixed, double distance, const Budget& budget,
                     std::vector<Interval>& times) const;
   Ball enclose(std::size_t begin, std::size_t end);
 

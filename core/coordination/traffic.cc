@@ -21,8 +21,8 @@ bool is_closer(const Shape& first, const Shape& second, double distance) {
 }  // namespace
 
 Traffic::Traffic(const Base& base, const std::vector<Body>& bodies, const std::vector<TrackedBody>& objects,
-                 double clearance)
-    : base_(base), clearance_(clearance) {
+                 double clearance, const Budget& budget)
+    : base_(base), clearance_(clearance), budget_(budget) {
   for (const Body& body : bodies) {
     bodies_.push_back({body.shape, reach(body.shape)});
     reach_ = std::max(reach_, bodies_.back().reach);
@@ -60,7 +60,7 @@ std::vector<Interval> Traffic::times(double position, double spread) const {
     for (const Stop& stop : stops_) {
       if (is_closer(here, stop.shape, distance)) found.push_back(stop.times);
     }
-    for (const RideTree& rides : rides_) rides.add_meetings(here, distance, found);
+    for (const RideTree& rides : rides_) rides.add_meetings(here, distance, budget_, found);
   }
   return IntervalSet(std::move(found)).intervals();
 }

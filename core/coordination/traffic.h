@@ -11,8 +11,10 @@ namespace dualarm {
 /// The objects that move by themselves, as an arm meets them.
 class Traffic final : public Meetings {
  public:
-  /// Of an arm on `base` with `bodies`, in its link frame; `clearance` (m) is what they have to keep.
-  Traffic(const Base& base, const std::vector<Body>& bodies, const std::vector<TrackedBody>& objects, double clearance);
+  /// Of an arm on `base` with `bodies`, in its link frame; `clearance` (m) is what they have to keep. A budget that is
+  /// exhausted ends all answers early: whoever asks has to look at it before trusting one.
+  Traffic(const Base& base, const std::vector<Body>& bodies, const std::vector<TrackedBody>& objects, double clearance,
+          const Budget& budget);
 
   /// Times (s since the start of the plan, from 0 on) at which the arm, standing at a position (rad), is too close to
   /// an object. Exact for objects that do not turn; of others gaps may be missed during which they turn by less than
@@ -38,6 +40,7 @@ class Traffic final : public Meetings {
 
   Base base_;
   double clearance_;
+  Budget budget_;
   double reach_ = 0.0;  ///< m, of all bodies of the arm
   std::vector<ArmBody> bodies_;
   std::vector<Stop> stops_;

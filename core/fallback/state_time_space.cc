@@ -43,6 +43,9 @@ Interval speeds_of(const System& system, const std::array<JointStates, 2>& ends,
   return speeds;
 }
 
+/// s: OMPL refuses bounds without an inside.
+constexpr double kLeastHorizon = 1e-9;
+
 }  // namespace
 
 StateTimeSpace::StateTimeSpace(const Systems& systems, double horizon, std::uint64_t seed, double settled_time,
@@ -103,7 +106,7 @@ double StateTimeSpace::difference(const JointStates& from, const JointStates& to
 }
 
 void StateTimeSpace::shrink(double horizon) {
-  horizon_ = std::min(horizon_, horizon);
+  horizon_ = std::min(horizon_, std::max(horizon, kLeastHorizon));
   as<ob::TimeStateSpace>(kTime)->setBounds(0.0, horizon_);
 }
 

@@ -272,6 +272,7 @@ void TreePlanner::report(const Node& goal) {
   if (!is_solved_) evaluations_at_first_plan_ = evaluations_;
   is_solved_ = true;
   incumbent_ = StateTimeSpace::time(goal.state);
+  si_->getStateSpace()->as<StateTimeSpace>()->shrink(incumbent_);
   best_edges_.clear();
   auto path = std::make_shared<ompl::geometric::PathGeometric>(si_);
   for (const Node* node = &goal; node != nullptr; node = node->parent) {

@@ -41,13 +41,14 @@ double inside_of_end(Interval interval, int direction) {
 
 }  // namespace
 
-TrafficObstacle::TrafficObstacle(const Problem& problem, int arm, const TrackedBody& object, double clearance)
+TrafficObstacle::TrafficObstacle(const Problem& problem, int arm, const TrackedBody& object, double clearance,
+                                 const Budget& budget)
     : base_(problem.arms[arm].base),
       range_(problem.arms[arm].joint_range),
       clearance_(clearance),
       upright_(upright_bodies(moving_bodies(problem, arm), object)),
       object_(object),
-      traffic_(base_, moving_bodies(problem, arm), {object}, clearance) {}
+      traffic_(base_, moving_bodies(problem, arm), {object}, clearance, budget) {}
 
 std::optional<Interval> TrafficObstacle::times_around(const Meeting& meeting) const {
   return around(meeting.time, traffic_.times_at(meeting.position));

@@ -21,7 +21,7 @@ struct Meeting {
 /// The problem outlives this.
 class TrafficObstacle {
  public:
-  TrafficObstacle(const Problem& problem, int arm, const TrackedBody& object, double clearance);
+  TrafficObstacle(const Problem& problem, int arm, const TrackedBody& object, double clearance, const Budget& budget);
 
   /// The times (s) of meetings at a position (rad).
   std::vector<Interval> times_at(double position) const { return traffic_.times_at(position); }

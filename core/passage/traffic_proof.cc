@@ -115,13 +115,15 @@ std::optional<TrafficProof> traffic_proof(const Problem& problem, double clearan
   std::optional<TrafficProof> best;
   const std::vector<TrackedBody> objects = exact_objects(problem);
   for (int arm = 0; arm < kArmCount && !objects.empty(); ++arm) {
+    // One that is in motion at its goal is expected nowhere afterwards: an object may come round behind its curve.
+    if (problem.tasks[arm].goal.velocity != 0.0) continue;
     const auto relaxed = relaxed_arm(loaded_arm(problem, arm), problem.tasks[arm], longest);
     if (!relaxed) continue;
     const Way way(problem, arm, *relaxed);
     if (!way.exists()) continue;
     for (const TrackedBody& object : objects) {
+      TrafficProof found = way.demand_of(TrafficObstacle(problem, arm, object, clearance, budget));
       if (budget.exhausted()) return std::nullopt;
-      TrafficProof found = way.demand_of(TrafficObstacle(problem, arm, object, clearance));
       found.duration = std::min(found.duration * (1.0 - kRounding), longest);
       if (found.duration > (best ? best->duration : known)) best = found;
     }

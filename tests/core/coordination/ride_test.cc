@@ -45,7 +45,7 @@ TEST(RideTree, MeetsWhatItsRidesMeet) {
       one_by_one.insert(one_by_one.end(), times.begin(), times.end());
     }
     std::vector<Interval> of_tree;
-    RideTree(rides).add_meetings(link, 0.05, of_tree);
+    RideTree(rides).add_meetings(link, 0.05, Budget(), of_tree);
     const IntervalSet expected(one_by_one);
     const IntervalSet found(of_tree);
     ASSERT_EQ(found.intervals().size(), expected.intervals().size());
@@ -60,7 +60,7 @@ TEST(RideTree, MeetsWhatItsRidesMeet) {
 
 TEST(RideTree, OfNoRidesMeetsNothing) {
   std::vector<Interval> times;
-  RideTree({}).add_meetings(Capsule{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), 0.1}, 1.0, times);
+  RideTree({}).add_meetings(Capsule{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), 0.1}, 1.0, Budget(), times);
   EXPECT_TRUE(times.empty());
 }
 
