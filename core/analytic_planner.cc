@@ -22,6 +22,8 @@ namespace {
 
 /// Part of the time left that the search for an arm's fastest motion may take: what is found has to be put together.
 constexpr double kFastestMotionShare = 0.5;
+/// Part of the time left that bounds may take: plans have to be found in the rest.
+constexpr double kBoundShare = 0.3;
 
 class AnalyticPlanner {
  public:
@@ -120,7 +122,7 @@ class AnalyticPlanner {
     findings_.begin("start delays");
     const StartChoice choice = starts_of(fastest_[0].profile, fastest_[1].profile);
     findings_.safe_delays = choice.safe_delays;
-    if (!choice.times) findings_.tried.push_back(choice.why_not);
+    if (!choice.times && knows_start_times()) findings_.tried.push_back(choice.why_not);
     const double known = choice.times ? choice.times->duration : std::numeric_limits<double>::infinity();
     if (auto refusal = bound_by_traffic(known)) return *refusal;
     const double longest = std::max(slower_duration(), findings_.bounds.planned_visit);
@@ -152,6 +154,12 @@ class AnalyticPlanner {
     });
   }
 
+  /// Whether a method is allowed for which there are start times.
+  bool knows_start_times() const {
+    const PlanOptions& options = problem_.options;
+    return options.allows(Method::kSimultaneous) || options.allows(Method::kDelay) || options.allows(Method::kPassage);
+  }
+
   StartChoice starts_of(const Profile& first, const Profile& second) const {
     return choose_starts(problem_, prepared_.forbidden(), prepared_.clearance(), first, second, budget_.methods);
   }
@@ -166,16 +174,17 @@ class AnalyticPlanner {
   /// What passages tell of plans that keep the planning margin, and of all that keep the demanded clearance.
   void bound_by_passage() {
     findings_.begin("passage");
+    const Budget budget = budget_.methods.part(kBoundShare);
     travellers_.emplace(Travellers{traveller(0), traveller(1)});
     const Problem planned = prepared_.within_free_ranges_at(prepared_.clearance());
-    passage_ = passage_bound(ForbiddenPlane(planned, prepared_.clearance()), *travellers_, budget_.methods);
+    passage_ = passage_bound(ForbiddenPlane(planned, prepared_.clearance()), *travellers_, budget);
     findings_.bounds.planned = proof_of(passage_, planned);
     const double demanded = problem_.options.clearance;
     const Problem free = prepared_.within_free_ranges_at(demanded);
     is_parted_ = std::isinf(passage_.duration) &&
-                 std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget_.methods).duration);
+                 std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget).duration);
     if (std::isfinite(passage_.duration)) {
-      findings_.bounds.demanded = passage_proof(free, demanded, passage_.duration, budget_.methods, passage_.ways);
+      findings_.bounds.demanded = passage_proof(free, demanded, passage_.duration, budget, passage_.ways);
     }
   }
 

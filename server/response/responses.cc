@@ -17,6 +17,8 @@ wire::Statistics statistics_message(const Statistics& statistics) {
   message.set_fallback_time_s(statistics.fallback_seconds);
   message.set_distance_query_count(statistics.distance_query_count);
   message.set_fallback_evaluation_count(statistics.fallback_evaluation_count);
+  message.set_fallback_node_count(statistics.fallback_node_count);
+  message.set_fallback_memory_bytes(static_cast<std::int64_t>(statistics.fallback_memory_bytes));
   return message;
 }
 
