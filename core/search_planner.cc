@@ -63,10 +63,12 @@ class SearchPlanner {
     return result;
   }
 
-  /// What is proven at once for those who watch is proven at the end for the others: the answer is the same.
+  /// What is proven at once for those who watch is proven at the end for the others: the answer is the same. The first
+  /// is proven in any case, so that a search that ends late has a plan to fall back on.
   void take(const Schedule& schedule, double duration) {
+    const bool is_first = incumbents_.empty();
     incumbents_.push_back({schedule, duration});
-    if (findings_.are_plans_awaited()) incumbents_.back().plan = proven(incumbents_.back());
+    if (is_first || findings_.are_plans_awaited()) incumbents_.back().plan = proven(incumbents_.back());
   }
 
   std::optional<Plan> best_proven() {
