@@ -49,7 +49,7 @@ class ArcMotion {
   JointState at(double time) const;
 
   /// States at `count` + 1 evenly spaced times from start to end. Of arcs so short that the rounding of their ends
-  /// would show as acceleration, the last or the first one is some last digits off the end.
+  /// would show as acceleration, the last or the first one is some last digits off the end. In arc_states.cc.
   std::vector<JointState> states(int count) const;
 
  private:
