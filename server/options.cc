@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <iostream>
 #include <thread>
@@ -16,62 +17,45 @@ namespace dualarm {
 namespace {
 
 void add_request_limits(CLI::App& app, RequestLimits& limits) {
-  const auto add = [&app](const char* flag, int& limit, const char* environment, const char* what) {
-    app.add_option(flag, limit, what)->envname(environment)->check(CLI::Range(1, 10'000'000));
+  const auto add = [&app](const char* flag, int& limit, const char* what) {
+    app.add_option(flag, limit, what)->check(CLI::Range(1, 10'000'000));
   };
-  add("--max-objects", limits.objects, "DUALARM_MAX_OBJECTS", "Objects of a scene");
-  add("--max-poses", limits.poses, "DUALARM_MAX_POSES", "Poses of an object's track");
-  add("--max-knots", limits.knots, "DUALARM_MAX_KNOTS", "Knots, and arcs, of a trajectory that is to be verified");
-  add("--max-table-lines", limits.table_lines, "DUALARM_MAX_TABLE_LINES", "Positions or velocities of a torque table");
-  add("--max-table-entries", limits.table_entries, "DUALARM_MAX_TABLE_ENTRIES", "Entries of a torque table");
+  add("--max-objects", limits.objects, "Objects of a scene");
+  add("--max-poses", limits.poses, "Poses of an object's track");
+  add("--max-knots", limits.knots, "Knots, and arcs, of a trajectory that is to be verified");
+  add("--max-table-lines", limits.table_lines, "Positions or velocities of a torque table");
+  add("--max-table-entries", limits.table_entries, "Entries of a torque table");
 }
 
 void add_options(CLI::App& app, ServerOptions& options) {
   app.add_option("--listen", options.listen, "HOST:PORT (port 0: any free one) or unix:PATH")
-      ->envname("DUALARM_LISTEN")
       ->check(CLI::Validator(complaint_about_address, ""));
-  app.add_option("--port-file", options.port_file, "Write the bound port to this file")->envname("DUALARM_PORT_FILE");
+  app.add_option("--port-file", options.port_file, "Write the bound port to this file");
   app.add_flag("--allow-insecure-remote", options.allow_insecure_remote,
-               "Serve plaintext on addresses other than loopback and unix sockets")
-      ->envname("DUALARM_ALLOW_INSECURE_REMOTE");
-  app.add_option("--max-message-mib", options.max_message_mib, "Largest request in MiB")
-      ->envname("DUALARM_MAX_MESSAGE_MIB")
-      ->check(CLI::Range(1, 1024));
-  app.add_option("--worker-threads", options.worker_threads, "Quick computations at once")
-      ->envname("DUALARM_WORKER_THREADS")
-      ->check(CLI::Range(1, 1024));
+               "Serve plaintext on addresses other than loopback and unix sockets");
+  app.add_option("--max-message-mib", options.max_message_mib, "Largest request in MiB")->check(CLI::Range(1, 1024));
+  app.add_option("--worker-threads", options.worker_threads, "Quick computations at once")->check(CLI::Range(1, 1024));
   app.add_option("--queue-capacity", options.queue_capacity, "Requests that may wait for a worker")
-      ->envname("DUALARM_QUEUE_CAPACITY")
       ->check(CLI::Range(0, 1'000'000));
-  app.add_option("--search-threads", options.search_threads, "Searches at once")
-      ->envname("DUALARM_SEARCH_THREADS")
-      ->check(CLI::Range(1, 1024));
+  app.add_option("--search-threads", options.search_threads, "Searches at once")->check(CLI::Range(1, 1024));
   app.add_option("--search-queue", options.search_queue, "Requests that may wait for a search")
-      ->envname("DUALARM_SEARCH_QUEUE")
       ->check(CLI::Range(0, 1'000'000));
   app.add_option("--niceness", options.niceness,
                  "How far threads that search or draw stand back behind quick ones: 0 not at all")
-      ->envname("DUALARM_NICENESS")
       ->check(CLI::Range(0, 19));
   app.add_option("--max-streams", options.max_streams, "Calls of PlanMotionStream and PlanMotionBatch at once")
-      ->envname("DUALARM_MAX_STREAMS")
       ->check(CLI::Range(1, 1'000'000));
   app.add_option("--batch-in-flight", options.batch_in_flight, "Requests of one batch that are read and not answered")
-      ->envname("DUALARM_BATCH_IN_FLIGHT")
       ->check(CLI::Range(1, 10'000));
   app.add_option("--search-memory-mib", options.search_memory_mib, "What one search may take in MiB")
-      ->envname("DUALARM_SEARCH_MEMORY_MIB")
       ->check(CLI::Range(1, 65536));
   add_request_limits(app, options.request);
   app.add_option("--planning-budget", options.planning_budget, "Longest computation of one request in seconds")
-      ->envname("DUALARM_PLANNING_BUDGET")
       ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--drain-seconds", options.drain_seconds,
                  "What running calls get to finish after SIGTERM or SIGINT, in seconds")
-      ->envname("DUALARM_DRAIN_SECONDS")
       ->check(CLI::Range(0.0, 3600.0));
   app.add_option("--log-level", options.log_level, "How much is logged to stderr")
-      ->envname("DUALARM_LOG_LEVEL")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}));
 }
 
@@ -82,37 +66,39 @@ std::string complaint_about_metrics_address(const std::string& listen) {
 void add_operations_options(CLI::App& app, ServerOptions& options) {
   app.add_option("--drain-notice", options.drain_notice,
                  "How long the server still serves after SIGTERM while health says NOT_SERVING, in seconds")
-      ->envname("DUALARM_DRAIN_NOTICE")
       ->check(CLI::Range(0.0, 3600.0));
   app.add_option("--log-format", options.log_format, "How a line of the log looks")
-      ->envname("DUALARM_LOG_FORMAT")
       ->check(CLI::IsMember({"text", "json"}));
   app.add_option("--metrics-listen", options.metrics_listen,
                  "HOST:PORT, or PORT on 127.0.0.1, of Prometheus metrics at /metrics (port 0: any free one)")
-      ->envname("DUALARM_METRICS_LISTEN")
       ->check(CLI::Validator(complaint_about_metrics_address, ""));
-  app.add_option("--replay-dir", options.replay_dir, "Folder that keeps requests that met a bug, as scenario files")
-      ->envname("DUALARM_REPLAY_DIR");
+  app.add_option("--replay-dir", options.replay_dir, "Folder that keeps requests that met a bug, as scenario files");
   app.add_option("--replay-limit", options.replay_limit, "Files in that folder; more are not kept")
-      ->envname("DUALARM_REPLAY_LIMIT")
       ->check(CLI::Range(1, 100'000));
 }
 
 void add_security_options(CLI::App& app, ServerOptions& options) {
-  auto* cert = app.add_option("--tls-cert", options.tls_cert, "PEM file with the server's certificate chain: TLS")
-                   ->envname("DUALARM_TLS_CERT");
-  auto* key = app.add_option("--tls-key", options.tls_key, "PEM file with its private key")->envname("DUALARM_TLS_KEY");
+  auto* cert = app.add_option("--tls-cert", options.tls_cert, "PEM file with the server's certificate chain: TLS");
+  auto* key = app.add_option("--tls-key", options.tls_key, "PEM file with its private key");
   cert->needs(key);
   key->needs(cert);
   app.add_option("--tls-client-ca", options.tls_client_ca,
                  "PEM file with the authorities whose certificates clients must present: mutual TLS")
-      ->envname("DUALARM_TLS_CLIENT_CA")
       ->needs(cert);
-  app.add_option("--token-file", options.token_file, "File with the tokens of callers; without it anybody may call")
-      ->envname("DUALARM_TOKEN_FILE");
+  app.add_option("--token-file", options.token_file, "File with the tokens of callers; without it anybody may call");
   app.add_option("--token-concurrency", options.token_concurrency, "Calls at once of one token")
-      ->envname("DUALARM_TOKEN_CONCURRENCY")
       ->check(CLI::Range(1, 1'000'000));
+}
+
+// DUALARM_ and the flag's name in capitals with underscores, for all that can be configured.
+void name_environment(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (!option->get_configurable()) continue;
+    std::string name = "DUALARM_" + option->get_single_name();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return c == '-' ? '_' : static_cast<char>(std::toupper(c)); });
+    option->envname(name);
+  }
 }
 
 // CLI11 lets the file win over the environment: what the environment gives is left out of the file.
@@ -155,6 +141,7 @@ void add_all(CLI::App& app, ServerOptions& options) {
   add_options(app, options);
   add_operations_options(app, options);
   add_security_options(app, options);
+  name_environment(app);
   add_configuration_file(app, options);
   app.add_flag_callback(
       "--options-table",
