@@ -71,16 +71,17 @@ TEST(PlanAmongMovingObjects, BeginsAtTheBestPairOfStartTimesAndIsProven) {
   EXPECT_LE(lost, 2);
 }
 
+/// A frame that is moved (m) and not turned.
+Eigen::Isometry3d pose_at(double x, double y, double z = 0.0) {
+  return Eigen::Isometry3d(Eigen::Translation3d(x, y, z));
+}
+
 /// Arm 1 alone from 30 to 60 degrees, and a ball that goes straight down, from 9 m above its way at `begin` (s) on, to
 /// the joint's height at `begin` + 5 s, and out of reach in 1 s more if it is to leave.
 Problem falling_ball_problem(double begin, bool leaves) {
   Problem problem = paper_problem({30, 60}, {60, 30}, 0.05);
   problem.arms[1].base.position.x() = 100.0;
-  const auto at_height = [](double height) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translation() = Eigen::Vector3d(2.0, 2.0 * std::sqrt(3.0), height);
-    return pose;
-  };
+  const auto at_height = [](double height) { return pose_at(2.0, 2.0 * std::sqrt(3.0), height); };
   std::vector<TimedPose> poses = {{begin, at_height(9.0)}, {begin + 5.0, at_height(0.0)}};
   if (leaves) poses.push_back({begin + 6.0, at_height(-9.0)});
   problem.objects = {
@@ -118,11 +119,7 @@ TEST(PlanAmongMovingObjects, DoesNotEndBeforeTheLastHasPassedAGoal) {
 /// Arm 1 of the problem above, with a ball at 45 degrees, 5 m out, that lets it pass from about `end` (s) on.
 Problem waiting_ball_problem(double end) {
   Problem problem = falling_ball_problem(0.0, false);
-  const auto at_height = [](double height) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translation() = Eigen::Vector3d(2.5 * std::sqrt(2.0), 2.5 * std::sqrt(2.0), height);
-    return pose;
-  };
+  const auto at_height = [](double height) { return pose_at(2.5 * std::sqrt(2.0), 2.5 * std::sqrt(2.0), height); };
   problem.objects[0].placement = MovingPlacement{PoseTrack({{end, at_height(0.0)}, {end + 0.01, at_height(9.0)}})};
   return problem;
 }
@@ -168,11 +165,6 @@ TEST(PlanAmongMovingObjects, IsNeverFasterThanItsBound) {
   for (int scene = 0; scene < 10; ++scene) {
     SCOPED_TRACE(scene);
     Problem problem = falling_ball_problem(0.0, false);
-    const auto pose_at = [](double x, double y) {
-      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      pose.translation() = Eigen::Vector3d(x, y, 0.0);
-      return pose;
-    };
     std::vector<TimedPose> poses;
     for (int i = 0; i < 3; ++i) {
       poses.push_back({dice.between(1.0, 2.0) * (i + 0.1), pose_at(dice.between(0.0, 6.0), dice.between(2.0, 6.0))});
@@ -211,9 +203,7 @@ TEST(PlanAmongMovingObjects, IsNotBoundByOneThatComesBehindAnArmInMotionAtItsGoa
   std::vector<TimedPose> poses;
   for (int i = 0; i <= 12; ++i) {
     const double angle = (2.6 - 0.2 * i);
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translation() = Eigen::Vector3d(5.0 * std::cos(angle), 5.0 * std::sin(angle), 0.0);
-    poses.push_back({50.0 + i, pose});
+    poses.push_back({50.0 + i, pose_at(5.0 * std::cos(angle), 5.0 * std::sin(angle))});
   }
   problem.objects[0].placement = MovingPlacement{PoseTrack(poses)};
   const Plan found = must_plan(problem);
@@ -228,9 +218,7 @@ TEST(PlanAmongMovingObjects, EndsWithTheBudgetAlsoAmongThousandsOfPoses) {
   Problem problem = falling_ball_problem(0.0, false);
   std::vector<TimedPose> poses;
   for (int i = 0; i < 10000; ++i) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translation() = Eigen::Vector3d(4.4 + 0.1 * (i % 2), 4.4 - 0.1 * (i % 3), 0.0);
-    poses.push_back({1e-3 * (i + 1), pose});
+    poses.push_back({1e-3 * (i + 1), pose_at(4.4 + 0.1 * (i % 2), 4.4 - 0.1 * (i % 3))});
   }
   problem.objects[0].placement = MovingPlacement{PoseTrack(poses)};
   const Outcome outcome = plan(problem, Budget(Budget::Clock::now()));

@@ -86,9 +86,7 @@ TEST(CallObserver, ReplacesANameThatWouldForgeTheLog) {
 TEST(CallObserver, SaysWhyACallFailed) {
   const CapturedLog log;
   {
-    const PlanningFunctions functions = functions_with(quick_planning(
-        [](const Problem&, const Budget&, const Observer&) -> Outcome { throw std::logic_error("a bug"); }));
-    const TestServer server(functions);
+    const TestServer server(functions_with_a_bug());
     wire::PlanMotionResponse response;
     grpc::ClientContext bad;
     EXPECT_FALSE(server.stub()->PlanMotion(&bad, {}, &response).ok());

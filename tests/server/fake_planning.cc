@@ -1,5 +1,6 @@
 #include "tests/server/fake_planning.h"
 
+#include <stdexcept>
 #include <utility>
 
 namespace dualarm {
@@ -58,6 +59,11 @@ PlanningFunctions functions_with(BeginPlanning planning) {
   PlanningFunctions functions = quick_functions();
   functions.begin_planning = std::move(planning);
   return functions;
+}
+
+PlanningFunctions functions_with_a_bug() {
+  return functions_with(quick_planning(
+      [](const Problem&, const Budget&, const Observer&) -> Outcome { throw std::logic_error("a bug"); }));
 }
 
 Outcome undecided(std::string explanation) { return {Undecided{std::move(explanation), {}, 0.0, 0.0}, {}}; }

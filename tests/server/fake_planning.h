@@ -23,6 +23,9 @@ PlanningFunctions quick_functions();
 /// The same, with this planning.
 PlanningFunctions functions_with(BeginPlanning planning);
 
+/// The same, with planning that throws std::logic_error("a bug").
+PlanningFunctions functions_with_a_bug();
+
 /// An outcome to be recognised by its explanation.
 Outcome undecided(std::string explanation);
 

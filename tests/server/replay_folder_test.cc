@@ -93,11 +93,9 @@ TEST_F(ReplayFolderTest, SaysWhereItCannotBe) {
 }
 
 TEST_F(ReplayFolderTest, HoldsTheRequestOfAnInternalAnswerUnderItsId) {
-  const PlanningFunctions functions = functions_with(quick_planning(
-      [](const Problem&, const Budget&, const Observer&) -> Outcome { throw std::logic_error("a bug"); }));
   ServerOptions options;
   options.replay_dir = path("replay");
-  const TestServer server(functions, options);
+  const TestServer server(functions_with_a_bug(), options);
   grpc::ClientContext context;
   wire::PlanMotionResponse response;
   const grpc::Status status = server.stub()->PlanMotion(&context, paper_request(), &response);

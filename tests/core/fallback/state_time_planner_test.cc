@@ -90,15 +90,20 @@ TEST(SearchStateTime, FindsTheRetreatOfArmsWhoseTorqueDependsOnTheVelocity) {
   EXPECT_GT(result.duration, kRetreatBound);  // the same arms with more torque
 }
 
-/// A ball stands in arm 1's way from 60 to 90 degrees until a time (s), then leaves upwards within half a second.
-Problem blocked_until(double time) {
-  Problem problem = paper_problem({60.0, 100.0}, {90.0, 120.0});
+/// A ball that stands somewhere (m) until a time (s), then leaves upwards within half a second.
+Object ball_until(const std::string& name, const Eigen::Vector3d& there, double time) {
   MovingPlacement leaves;
-  const Eigen::Vector3d there = 5.0 * Eigen::Vector3d(std::cos(75.0 * kDegree), std::sin(75.0 * kDegree), 0.0);
   leaves.track =
       PoseTrack({{time, Eigen::Isometry3d(Eigen::Translation3d(there))},
                  {time + 0.5, Eigen::Isometry3d(Eigen::Translation3d(there + Eigen::Vector3d(0.0, 4.0, 0.0)))}});
-  problem.objects = {{"ball", Capsule{{0, 0, 0}, {0, 0, 0}, 0.2}, leaves}};
+  return {name, Capsule{{0, 0, 0}, {0, 0, 0}, 0.2}, leaves};
+}
+
+/// A ball stands in arm 1's way from 60 to 90 degrees until a time (s).
+Problem blocked_until(double time) {
+  Problem problem = paper_problem({60.0, 100.0}, {90.0, 120.0});
+  const Eigen::Vector3d there = 5.0 * Eigen::Vector3d(std::cos(75.0 * kDegree), std::sin(75.0 * kDegree), 0.0);
+  problem.objects = {ball_until("ball", there, time)};
   return problem;
 }
 
@@ -124,10 +129,7 @@ TEST(SearchStateTime, LetsBothArmsWaitWhereBothAreBlocked) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Problem problem = blocked_until(2.0);
     const Eigen::Vector3d there(8.0 - 5.0 * std::cos(110.0 * kDegree), 5.0 * std::sin(110.0 * kDegree), 0.0);
-    MovingPlacement leaves;
-    leaves.track = PoseTrack({{2.0, Eigen::Isometry3d(Eigen::Translation3d(there))},
-                              {2.5, Eigen::Isometry3d(Eigen::Translation3d(there + Eigen::Vector3d(0.0, 4.0, 0.0)))}});
-    problem.objects.push_back({"other ball", Capsule{{0, 0, 0}, {0, 0, 0}, 0.2}, leaves});
+    problem.objects.push_back(ball_until("other ball", there, 2.0));
     problem.options.seed = seed;
     const ArmSystems arms(problem);
     const SearchResult result = search(problem, arms, 3000);
