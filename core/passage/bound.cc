@@ -84,11 +84,16 @@ class SideSearch {
   /// Nothing if no gate of that side is known. Begins at the slowest gate of a set like this one, if there is one of
   /// this side near by.
   std::optional<Way> run(const std::vector<Way>& near_by) {
+    bool is_touched = true;
     for (const Way& way : near_by) {
-      for (const Gate& gate : gates_at(way.gate, way.gate.pinned_position)) consider(gate, &way.bound);
+      for (const Gate& gate : gates_at(way.gate, way.gate.pinned_position)) {
+        const auto touch = touch_of({gate, way.bound}, plane_.range(gate.pinned_arm));
+        consider(touch ? touch->gate : gate, &way.bound);
+        is_touched = is_touched && touch;
+      }
     }
     if (best_) {
-      refine(plane_.range(best_->gate.pinned_arm), kClimbNearBy);
+      if (!is_touched) refine_by_bounds(plane_.range(best_->gate.pinned_arm), kClimbNearBy);
       return best_;
     }
     const std::vector<Candidate> candidates = all_candidates();
@@ -136,11 +141,7 @@ class SideSearch {
   /// The pair that shows of most other gates that they ask for no more; nothing where no gate is left to be shown.
   std::optional<ExtremalPair> extremal_pair_of(const Way& way, const std::vector<Candidate>& candidates) const {
     if (candidates.front().estimate.duration <= way.bound.duration) return std::nullopt;
-    auto pair = extremal_pair(travellers_, way, way.bound.duration);
-    if (!pair) return std::nullopt;
-    pair->early = pair->early.asked_often();
-    pair->late = pair->late.asked_often();
-    return pair;
+    return extremal_pair(travellers_, way, way.bound.duration);
   }
 
   /// A gate of which nothing counts but a bound beyond `floor` (s) costs less.

@@ -54,7 +54,8 @@ PassageProof passage_proof(const Problem& problem, double clearance, double long
   for (int i = 0; i < kArmCount; ++i) {
     const auto motion = fastest_motion(systems[i], problem.tasks[i].start, problem.tasks[i].goal, Swings::kSkip);
     if (std::holds_alternative<Blocked>(motion)) return {};
-    fastest.push_back(std::get<FastestMotion>(motion).profile.asked_often());
+    const Profile& profile = std::get<FastestMotion>(motion).profile;
+    fastest.push_back(near_by.empty() ? profile.asked_often() : profile);
   }
   const auto traveller = [&](int i) {
     return Traveller{&systems[i], problem.tasks[i].start, problem.tasks[i].goal, fastest[i]};
