@@ -101,7 +101,8 @@ class SideSearch {
     consider(most_crossing(candidates), nullptr);
     refine_if_hurried(candidates);
     const double refined = best_->bound.duration;
-    const auto extremal = extremal_pair_of(*best_, candidates);
+    best_->pair = extremal_pair_of(*best_, candidates);
+    const std::optional<ExtremalPair> extremal = best_->pair;
     for (const Candidate& candidate : candidates) {
       if (candidate.estimate.duration <= best_->bound.duration || budget_.exhausted()) break;
       if (extremal && passes_in_turn(*extremal, travellers_, candidate.gate)) continue;
@@ -141,7 +142,7 @@ class SideSearch {
   /// The pair that shows of most other gates that they ask for no more; nothing where no gate is left to be shown.
   std::optional<ExtremalPair> extremal_pair_of(const Way& way, const std::vector<Candidate>& candidates) const {
     if (candidates.front().estimate.duration <= way.bound.duration) return std::nullopt;
-    return extremal_pair(travellers_, way, way.bound.duration);
+    return extremal_pair(travellers_, way.gate, way.bound, way.bound.duration);
   }
 
   /// A gate of which nothing counts but a bound beyond `floor` (s) costs less.

@@ -4,14 +4,15 @@
 
 namespace dualarm {
 
-std::optional<ExtremalPair> extremal_pair(const Travellers& travellers, const Way& way, double duration) {
-  const int early_arm = way.bound.early_arm;
-  const Through early(travellers[early_arm], position_of(way.gate, early_arm), Hurry::kEarlyArrival);
-  const Through late(travellers[1 - early_arm], position_of(way.gate, 1 - early_arm), Hurry::kLateDeparture);
+std::optional<ExtremalPair> extremal_pair(const Travellers& travellers, const Gate& gate, const GateBound& bound,
+                                          double duration) {
+  const int early_arm = bound.early_arm;
+  const Through early(travellers[early_arm], position_of(gate, early_arm), Hurry::kEarlyArrival);
+  const Through late(travellers[1 - early_arm], position_of(gate, 1 - early_arm), Hurry::kLateDeparture);
   if (!early.exists() || !late.exists()) return std::nullopt;
-  const bool is_known = duration == way.bound.duration;
-  auto one = early.motion(is_known ? way.bound.early : early.within(duration));
-  auto other = late.motion(is_known ? way.bound.late : late.within(duration));
+  const bool is_known = duration == bound.duration;
+  auto one = early.motion(is_known ? bound.early : early.within(duration));
+  auto other = late.motion(is_known ? bound.late : late.within(duration));
   if (!one || !other) return std::nullopt;
   return ExtremalPair{early_arm, *std::move(one), *std::move(other), duration};
 }

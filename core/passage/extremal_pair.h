@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/passage/bound.h"
+#include "core/passage/gate_bound.h"
 
 namespace dualarm {
 
@@ -18,9 +18,10 @@ struct ExtremalPair {
   double wait() const { return duration - late.duration(); }
 };
 
-/// The pair through the gate of a way within `duration` (s), at least that of the way's bound; nothing where a motion
-/// does not exist.
-std::optional<ExtremalPair> extremal_pair(const Travellers& travellers, const Way& way, double duration);
+/// The pair through a gate within `duration` (s), at least that of the gate's bound; nothing where a motion does not
+/// exist.
+std::optional<ExtremalPair> extremal_pair(const Travellers& travellers, const Gate& gate, const GateBound& bound,
+                                          double duration);
 
 /// Whether the pair goes through another gate in turn, in each order in which that binds: then the other gate's bound
 /// is no larger than the pair's duration.

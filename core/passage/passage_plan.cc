@@ -202,7 +202,8 @@ class PairSearch {
 
 std::optional<PassagePlan> extremal_plan(const Travellers& travellers, const Way& way, double least, double max_delay) {
   const double duration = std::max(least, way.bound.duration);
-  auto pair = extremal_pair(travellers, way, duration);
+  const bool is_known = way.pair && way.pair->duration == duration;
+  const auto pair = is_known ? way.pair : extremal_pair(travellers, way.gate, way.bound, duration);
   if (!pair) return std::nullopt;
   const int early_arm = pair->early_arm;
   const Profile& first = early_arm == 0 ? pair->early : pair->late;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/passage/bound.h"
 #include "tests/core/passage/scene_travellers.h"
 #include "tests/support/problems.h"
 
@@ -33,7 +34,7 @@ class ExtremalPairTest : public testing::Test {
 
 TEST_F(ExtremalPairTest, MeetsInTheGateWhenBothTakeTheWholeDuration) {
   const Way& way = bound_.ways.front();
-  const auto pair = extremal_pair(scene_.travellers, way, way.bound.duration);
+  const auto pair = extremal_pair(scene_.travellers, way.gate, way.bound, way.bound.duration);
   ASSERT_TRUE(pair);
   const auto arrival = passing_of(pair->early, position_of(way.gate, pair->early_arm), Hurry::kEarlyArrival)->before;
   const auto departure =
@@ -44,7 +45,7 @@ TEST_F(ExtremalPairTest, MeetsInTheGateWhenBothTakeTheWholeDuration) {
 
 TEST_F(ExtremalPairTest, PassesGatesInTurnThatAskForNoMore) {
   const Way& way = bound_.ways.front();
-  const auto pair = extremal_pair(scene_.travellers, way, way.bound.duration);
+  const auto pair = extremal_pair(scene_.travellers, way.gate, way.bound, way.bound.duration);
   ASSERT_TRUE(pair);
   const std::vector<Gate> gates = gates_near_by();
   ASSERT_GT(gates.size(), 10u);
@@ -56,7 +57,7 @@ TEST_F(ExtremalPairTest, PassesGatesInTurnThatAskForNoMore) {
 
 TEST_F(ExtremalPairTest, DoesNotPassAGateInTurnThatAsksForMore) {
   const Way& way = bound_.ways.front();
-  const auto pair = extremal_pair(scene_.travellers, way, way.bound.duration);
+  const auto pair = extremal_pair(scene_.travellers, way.gate, way.bound, way.bound.duration);
   ASSERT_TRUE(pair);
   Gate farther = way.gate;
   farther.pinned_position += 0.01;
