@@ -120,6 +120,7 @@ class AnalyticPlanner {
   /// Waiting, or a passage where that is faster. Theory, sections 3 and 4.
   std::optional<Decision> coordinate() {
     findings_.begin("start delays");
+    for (FastestMotion& motion : fastest_) motion.profile = motion.profile.asked_often();
     const StartChoice choice = starts_of(fastest_[0].profile, fastest_[1].profile);
     findings_.safe_delays = choice.safe_delays;
     if (!choice.times && knows_start_times()) findings_.tried.push_back(choice.why_not);
@@ -189,8 +190,7 @@ class AnalyticPlanner {
   }
 
   Traveller traveller(int arm) const {
-    return {&prepared_.system(arm), problem_.tasks[arm].start, problem_.tasks[arm].goal,
-            fastest_[arm].profile.asked_often()};
+    return {&prepared_.system(arm), problem_.tasks[arm].start, problem_.tasks[arm].goal, fastest_[arm].profile};
   }
 
   /// The fastest motions found through a passage, if they take less than `known` (s). Theory, section 4.

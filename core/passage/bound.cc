@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/passage/climb.h"
+#include "core/passage/extremal_pair.h"
 #include "core/passage/obstacle.h"
 
 namespace dualarm {
@@ -28,12 +29,21 @@ constexpr double kHurried = 1e-9;
 constexpr ClimbRules kClimb = {1e-2, 2e-9, 1e-10};
 constexpr ClimbRules kRefine = {3e-4, 2e-9, 1e-10};
 constexpr ClimbRules kClimbNearBy = {1e-5, 1e-8, 1e-9};
+/// Steps along the border to where a pair at given velocities touches it, and how often the pair is found anew there.
+constexpr ClimbRules kTouch = {1e-6, 2e-9, 1e-10};
+constexpr int kMostTouches = 6;
 /// rad: how far apart two slices tell the slope of a border.
 constexpr double kBorderStep = 1e-8;
 
 struct Candidate {
   Gate gate;
   GateEstimate estimate;
+};
+
+/// A gate, and by how much (s) the time to it and on from it is longer than that of another gate.
+struct Touch {
+  Gate gate;
+  double gain = 0.0;
 };
 
 Gate gate_on(const Slice& slice, bool runs_up) {
@@ -74,11 +84,16 @@ class SideSearch {
   /// Nothing if no gate of that side is known. Begins at the slowest gate of a set like this one, if there is one of
   /// this side near by.
   std::optional<Way> run(const std::vector<Way>& near_by) {
+    bool is_touched = true;
     for (const Way& way : near_by) {
-      for (const Gate& gate : gates_at(way.gate, way.gate.pinned_position)) consider(gate, &way.bound);
+      for (const Gate& gate : gates_at(way.gate, way.gate.pinned_position)) {
+        const auto touch = touch_of({gate, way.bound}, plane_.range(gate.pinned_arm));
+        consider(touch ? touch->gate : gate, &way.bound);
+        is_touched = is_touched && touch;
+      }
     }
     if (best_) {
-      refine(plane_.range(best_->gate.pinned_arm), kClimbNearBy);
+      if (!is_touched) refine_by_bounds(plane_.range(best_->gate.pinned_arm), kClimbNearBy);
       return best_;
     }
     const std::vector<Candidate> candidates = all_candidates();
@@ -86,8 +101,11 @@ class SideSearch {
     consider(most_crossing(candidates), nullptr);
     refine_if_hurried(candidates);
     const double refined = best_->bound.duration;
+    best_->pair = extremal_pair_of(*best_, candidates);
+    const std::optional<ExtremalPair> extremal = best_->pair;
     for (const Candidate& candidate : candidates) {
       if (candidate.estimate.duration <= best_->bound.duration || budget_.exhausted()) break;
+      if (extremal && passes_in_turn(*extremal, travellers_, candidate.gate)) continue;
       const GateBound slowest = best_->bound;
       consider(candidate.gate, &slowest, slowest.duration);
     }
@@ -119,6 +137,12 @@ class SideSearch {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.estimate.duration > b.estimate.duration; });
     return candidates;
+  }
+
+  /// The pair that shows of most other gates that they ask for no more; nothing where no gate is left to be shown.
+  std::optional<ExtremalPair> extremal_pair_of(const Way& way, const std::vector<Candidate>& candidates) const {
+    if (candidates.front().estimate.duration <= way.bound.duration) return std::nullopt;
+    return extremal_pair(travellers_, way.gate, way.bound, way.bound.duration);
   }
 
   /// A gate of which nothing counts but a bound beyond `floor` (s) costs less.
@@ -157,6 +181,49 @@ class SideSearch {
 
   /// As to the bound itself: it may be largest a little beside where unhurried motions meet.
   void refine(Interval bracket, const ClimbRules& rules) {
+    if (!refine_by_touches(bracket)) refine_by_bounds(bracket, rules);
+  }
+
+  /// To where the pair's motion touches the border, again and again: that is the slowest gate if the velocities there
+  /// are those of its own pair, and they change little on the way. False if it leads nowhere.
+  bool refine_by_touches(Interval bracket) {
+    for (int i = 0; i < kMostTouches && !budget_.exhausted(); ++i) {
+      const Way last = *best_;
+      const auto touch = touch_of(last, bracket);
+      if (!touch) return false;
+      if (last.bound.price * touch->gain <= kTouch.part * last.bound.duration) return true;
+      consider(touch->gate, &last.bound);
+      if (best_->bound.duration <= last.bound.duration) return false;
+    }
+    return false;
+  }
+
+  /// The gate that a pair at the velocities of another one's would pass last, and what it gains, s. Nothing where those
+  /// say nothing.
+  std::optional<Touch> touch_of(const Way& way, Interval bracket) {
+    const GateBound& bound = way.bound;
+    if (!(bound.price > 0.0) || bound.early.velocity == 0.0 || bound.late.velocity == 0.0) return std::nullopt;
+    const auto crossing = [&](const Gate& gate) {
+      return (position_of(gate, bound.early_arm) - position_of(way.gate, bound.early_arm)) / bound.early.velocity -
+             (position_of(gate, 1 - bound.early_arm) - position_of(way.gate, 1 - bound.early_arm)) /
+                 bound.late.velocity;
+    };
+    Touch most = {way.gate, 0.0};
+    const auto crossing_at = [&](double position) {
+      std::optional<Rated> found;
+      for (const Gate& gate : gates_at(way.gate, position)) {
+        const double gain = crossing(gate);
+        if (gain > most.gain) most = {gate, gain};
+        if (!found || gain > found->value) found = Rated{position, gain, slope_at(gate, bound)};
+      }
+      return found;
+    };
+    const ClimbRules rules = {kTouch.first_step, kTouch.same, 0.0, kTouch.part * bound.duration};
+    if (!climb(crossing_at, bracket, crossing_at(way.gate.pinned_position), rules)) return std::nullopt;
+    return most;
+  }
+
+  void refine_by_bounds(Interval bracket, const ClimbRules& rules) {
     const Gate like = best_->gate;
     GateBound last = best_->bound;
     const auto bound_at = [&](double position) {
@@ -174,7 +241,7 @@ class SideSearch {
 
   Rated rated(const Way& way) const {
     const GateBound& bound = way.bound;
-    const double slope = bound.price * slope_at(way.gate, bound.early_arm, bound.early, bound.late);
+    const double slope = bound.price * slope_at(way.gate, bound);
     return {way.gate.pinned_position, bound.duration, bound.price > 0.0 ? slope : kInfinity};
   }
 
@@ -189,6 +256,9 @@ class SideSearch {
       if (std::isfinite(nearest)) return crossing_slope(gate, nearest / step, early_arm, early, late);
     }
     return kInfinity;
+  }
+  double slope_at(const Gate& gate, const GateBound& bound) const {
+    return slope_at(gate, bound.early_arm, bound.early, bound.late);
   }
 
   /// From one neighbour of a gate that runs the same way to the other.

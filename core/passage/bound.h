@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/model/budget.h"
+#include "core/passage/extremal_pair.h"
 #include "core/passage/forbidden_plane.h"
 #include "core/passage/gate_bound.h"
 
@@ -13,6 +14,7 @@ namespace dualarm {
 struct Way {
   Gate gate;
   GateBound bound;
+  std::optional<ExtremalPair> pair = {};  ///< through the gate within the bound's duration, if it was looked at
 };
 
 /// What all plans that keep out of a forbidden set need at least.

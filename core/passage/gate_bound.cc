@@ -178,19 +178,15 @@ GateBound least_duration(const Through& early, const Through& late, int early_ar
   return bound(below, early.within(above), late.within(above));
 }
 
-/// An arm that goes first and one that goes second, at the positions of a gate.
-struct Order {
-  int early_arm = 0;
-  double early_at = 0.0;  ///< rad
-  double late_at = 0.0;   ///< rad
-};
+GateEstimate unhurried(const Travellers& travellers, const Order& order) {
+  const Passing one = fastest_passing(travellers[order.early_arm], order.early_at, Hurry::kEarlyArrival);
+  const Passing other = fastest_passing(travellers[1 - order.early_arm], order.late_at, Hurry::kLateDeparture);
+  const double crossing = one.before + other.after;
+  return {std::max({one.duration(), other.duration(), crossing}), crossing, order.early_arm, one, other};
+}
 
-struct Orders {
-  std::array<Order, 2> orders;
-  int count = 0;
-};
+}  // namespace
 
-/// The orders in which a gate binds: an arm that ends beyond the corner need not come back before the other passes.
 Orders orders_of(const Travellers& travellers, const Gate& gate) {
   const int pinned = gate.pinned_arm;
   const int other = 1 - pinned;
@@ -203,15 +199,6 @@ Orders orders_of(const Travellers& travellers, const Gate& gate) {
   }
   return orders;
 }
-
-GateEstimate unhurried(const Travellers& travellers, const Order& order) {
-  const Passing one = fastest_passing(travellers[order.early_arm], order.early_at, Hurry::kEarlyArrival);
-  const Passing other = fastest_passing(travellers[1 - order.early_arm], order.late_at, Hurry::kLateDeparture);
-  const double crossing = one.before + other.after;
-  return {std::max({one.duration(), other.duration(), crossing}), crossing, order.early_arm, one, other};
-}
-
-}  // namespace
 
 GateBound gate_bound(const Travellers& travellers, const Gate& gate, const GateBound* near_by, double floor) {
   GateBound bound;

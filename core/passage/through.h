@@ -28,6 +28,9 @@ struct Passing {
 /// What is hurried: to be at the position early (arms that go first), or to leave it late (arms that go second).
 enum class Hurry { kEarlyArrival, kLateDeparture };
 
+/// A motion as it passes a position (rad) first, or last; nothing if it does not get there.
+std::optional<Passing> passing_of(const Profile& motion, double position, Hurry hurry);
+
 /// Of all motions of an arm that pass a position (rad) the fastest, as it arrives there first or leaves it last.
 Passing fastest_passing(const Traveller& traveller, double position, Hurry hurry);
 

@@ -16,6 +16,9 @@ constexpr double kInterpolationError = 5e-10;
 constexpr double kPositionRounding = 6e-16;
 /// s: shorter arcs are no motion but a jump of their knots.
 constexpr double kShortestArc = 2e-11;
+/// s: arms that arrive this much before the plan's end arrive with it. Two durations that are meant to be one differ by
+/// less, and no acceleration shows it.
+constexpr double kShortestHold = 1e-10;
 /// Part of a plan's duration by which times that others have rounded in another order may differ.
 constexpr double kTimeRounding = 1e-12;
 /// Each such middle is looked at on a smooth arc.
@@ -75,6 +78,7 @@ class Player {
       placed.start_time = now_;
       placed.end_time = std::clamp(motion.start_time + arc.end_time, now_, duration_);
       if (placed.end_time - now_ < kShortestArc) placed.end_time = now_;
+      if (duration_ - placed.end_time < kShortestHold) placed.end_time = duration_;
       const std::vector<Knot> knots = knots_along(motion.profile, arc, placed);
       played_.arcs.push_back(placed);
       played_.knots.insert(played_.knots.end(), knots.begin(), knots.end());

@@ -96,6 +96,14 @@ double SingleJointArm::specific_work(Extreme extreme, double from, double change
   return (at_rest_[index(extreme)].integral(from, change) + gravity_.amplitude * cosine_change) / inertia_;
 }
 
+std::optional<SineWork> SingleJointArm::work_from(Extreme extreme, double from) const {
+  const PiecewiseLinear& torque = at_rest_[index(extreme)];
+  if (!torque.is_constant()) return std::nullopt;
+  const double gravity = gravity_.amplitude / inertia_;
+  const double angle = from - gravity_.phase;
+  return SineWork{torque.pieces().front().value / inertia_, gravity * std::sin(angle), gravity * std::cos(angle)};
+}
+
 std::vector<double> SingleJointArm::zeros(Extreme extreme, double s_dot, Interval within) const {
   if (!std::holds_alternative<TorqueTable>(torque_)) {
     return balances(torque_end(extreme, torque_limits(torque_, 0.0, s_dot)) - rubbed_off(s_dot), gravity_, within);

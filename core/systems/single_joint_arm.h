@@ -31,6 +31,7 @@ class SingleJointArm final : public System {
   }
   bool drives_best_at_rest(double direction) const override { return drives_best_at_rest_[direction > 0.0 ? 1 : 0]; }
   double specific_work(Extreme extreme, double from, double change) const override;
+  std::optional<SineWork> work_from(Extreme extreme, double from) const override;
   std::vector<double> zeros(Extreme extreme, double s_dot, Interval within) const override;
   std::vector<double> position_bends(Interval within) const override;
   std::vector<double> velocity_bends() const override;
