@@ -11,7 +11,7 @@
 
 #include "server/build_information.h"
 #include "server/listen_address.h"
-#include "server/metrics_endpoint.h"
+#include "server/metrics/metrics_endpoint.h"
 
 namespace dualarm {
 namespace {

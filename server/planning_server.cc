@@ -13,12 +13,12 @@
 
 #include "grpc/health/v1/health.pb.h"
 #include "server/build_information.h"
-#include "server/call_observer.h"
+#include "server/calls/call_observer.h"
+#include "server/calls/malformed_requests.h"
 #include "server/configuration_check.h"
 #include "server/listen_address.h"
-#include "server/logs.h"
-#include "server/malformed_requests.h"
-#include "server/process_figures.h"
+#include "server/logging/logs.h"
+#include "server/metrics/process_figures.h"
 
 namespace dualarm {
 namespace {

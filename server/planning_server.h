@@ -7,14 +7,14 @@
 #include <optional>
 #include <string>
 
-#include "server/call_log.h"
-#include "server/metrics.h"
-#include "server/metrics_endpoint.h"
+#include "server/logging/call_log.h"
+#include "server/metrics/metrics.h"
+#include "server/metrics/metrics_endpoint.h"
 #include "server/options.h"
 #include "server/planning_service.h"
+#include "server/pools/worker_pools.h"
 #include "server/security/guarded_service.h"
 #include "server/security/security.h"
-#include "server/worker_pools.h"
 
 namespace dualarm {
 

@@ -4,12 +4,12 @@
 
 #include <utility>
 
-#include "server/batch_call.h"
+#include "server/calls/batch_call.h"
+#include "server/calls/stream_call.h"
+#include "server/calls/unary_call.h"
 #include "server/errors.h"
 #include "server/request/requests.h"
 #include "server/response/responses.h"
-#include "server/stream_call.h"
-#include "server/unary_call.h"
 
 namespace dualarm {
 namespace {

@@ -3,13 +3,13 @@
 #include <atomic>
 #include <chrono>
 
-#include "server/places.h"
+#include "server/calls/places.h"
+#include "server/calls/planning_task.h"
+#include "server/calls/ticker.h"
 #include "server/planning_functions.h"
 #include "server/planning_methods.h"
-#include "server/planning_task.h"
-#include "server/ticker.h"
+#include "server/pools/worker_pools.h"
 #include "server/wire.h"
-#include "server/worker_pools.h"
 
 namespace dualarm {
 
