@@ -26,7 +26,8 @@ std::string note_on(const wire::GetPhasePortraitResponse& response) {
 }  // namespace
 
 PlanningService::PlanningService(PlanningFunctions functions, WorkerPools& pools, const ServiceLimits& limits)
-    : planner_{std::move(functions), pools, limits.longest_planning, limits.search_memory, limits.request},
+    : planner_{std::move(functions), pools,  limits.longest_planning, limits.search_memory, limits.request,
+               limits.trial,         trials_},
       streams_(limits.streams),
       batch_in_flight_(limits.batch_in_flight),
       ticker_(kTick) {}

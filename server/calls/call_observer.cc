@@ -36,13 +36,20 @@ std::string_view value_of(const Metadata& metadata, const char* key) {
 class ObservedCall final : public grpc::experimental::Interceptor {
  public:
   ObservedCall(ServerRpcInfo& call, const CallObservers& observers)
-      : call_(call), observers_(observers), path_(call.method()), method_(planning_method(path_)) {
+      : call_(call),
+        observers_(observers),
+        path_(call.method()),
+        method_(planning_method(path_)),
+        has_entered_(!method_.empty() && observers.open.enter()) {
     observers_.metrics.begin_call(path_);
   }
 
-  // A call whose status nobody sent: its connection broke before.
+  // The line is written when the answer is on its way, so that nobody waits for it. A call whose status nobody sent:
+  // its connection broke before.
   ~ObservedCall() override {
     if (!ended_) end({grpc::StatusCode::CANCELLED, "broken off"});
+    observers_.log.write(report_, method_.empty());
+    if (has_entered_) observers_.open.leave();
   }
 
   void Intercept(InterceptorBatchMethods* batch) override {
@@ -56,13 +63,13 @@ class ObservedCall final : public grpc::experimental::Interceptor {
 
  private:
   void begin(const Metadata& metadata) {
-    request_id_ = request_id_or_new(value_of(metadata, kRequestIdKey));
-    call_.server_context()->AddTrailingMetadata(kRequestIdKey, request_id_);
+    report_.request_id = request_id_or_new(value_of(metadata, kRequestIdKey));
+    call_.server_context()->AddTrailingMetadata(kRequestIdKey, report_.request_id);
     if (method_.empty()) return;  // health and reflection are open to all (SECURITY.md)
-    caller_ = observers_.admission.enter(call_.server_context(), value_of(metadata, kAuthorizationKey)).caller;
-    if (!caller_.empty() || !observers_.named_by_certificate) return;
+    report_.caller = observers_.admission.enter(call_.server_context(), value_of(metadata, kAuthorizationKey)).caller;
+    if (!report_.caller.empty() || !observers_.named_by_certificate) return;
     const auto names = call_.server_context()->auth_context()->GetPeerIdentity();
-    if (!names.empty()) caller_.assign(names[0].data(), names[0].size());
+    if (!names.empty()) report_.caller.assign(names[0].data(), names[0].size());
   }
 
   // The method says of which type the message is.
@@ -76,11 +83,11 @@ class ObservedCall final : public grpc::experimental::Interceptor {
     } else if (method_ == "PlanMotionBatch") {
       see_answer(*static_cast<const wire::PlanMotionBatchResponse*>(message));
     } else if (method_ == "VerifyMotion") {
-      notes_ = notes_on(*static_cast<const wire::VerifyMotionResponse*>(message));
+      report_.notes = notes_on(*static_cast<const wire::VerifyMotionResponse*>(message));
     } else if (method_ == "GetForbiddenRegion") {
-      notes_ = notes_on(*static_cast<const wire::GetForbiddenRegionResponse*>(message));
+      report_.notes = notes_on(*static_cast<const wire::GetForbiddenRegionResponse*>(message));
     } else if (method_ == "GetPhasePortrait") {
-      notes_ = notes_on(*static_cast<const wire::GetPhasePortraitResponse*>(message));
+      report_.notes = notes_on(*static_cast<const wire::GetPhasePortraitResponse*>(message));
     }
   }
 
@@ -88,7 +95,7 @@ class ObservedCall final : public grpc::experimental::Interceptor {
     const PlanFigures figures = figures_of(response);
     observers_.metrics.count(figures);
     observers_.metrics.count_rest(Clock::now() - began_ - std::chrono::duration<double>(figures.planning_seconds));
-    notes_ = notes_on(response);
+    report_.notes = notes_on(response);
   }
 
   void see_answer(const wire::PlanMotionBatchResponse& answer) {
@@ -106,28 +113,23 @@ class ObservedCall final : public grpc::experimental::Interceptor {
     observers_.admission.leave(call_.server_context());
     const std::chrono::duration<double> duration = Clock::now() - began_;
     observers_.metrics.end_call(path_, status.error_code(), duration);
-    CallReport report;
-    report.method = method_.empty() ? path_.substr(1) : method_;
-    report.code = status.error_code();
-    report.request_id = request_id_;
-    report.caller = caller_;
-    report.total_seconds = duration.count();
-    report.notes = status.ok() ? std::move(notes_) : notes_on(status);
+    report_.method = method_.empty() ? path_.substr(1) : method_;
+    report_.code = status.error_code();
+    report_.total_seconds = duration.count();
+    if (!status.ok()) report_.notes = notes_on(status);
     if (method_ == "PlanMotionBatch") {
-      report.notes.push_back({"answers", answers_});
-      report.notes.push_back({"errors", errors_});
+      report_.notes.push_back({"answers", answers_});
+      report_.notes.push_back({"errors", errors_});
     }
-    observers_.log.write(report, method_.empty());
   }
 
   ServerRpcInfo& call_;
   const CallObservers observers_;
   const std::string_view path_;    // gRPC's, as long as the call
   const std::string_view method_;  // of PlanningService, else empty
+  const bool has_entered_;
   const Clock::time_point began_ = Clock::now();
-  std::string request_id_;
-  std::string caller_;
-  std::vector<LogField> notes_;
+  CallReport report_;
   std::int64_t answers_ = 0;
   std::int64_t errors_ = 0;
   bool ended_ = false;

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "server/calls/open_calls.h"
 #include "server/logging/call_log.h"
 #include "server/metrics/metrics.h"
 #include "server/security/admission.h"
@@ -15,6 +16,7 @@ struct CallObservers {
   const CallLog& log;
   Metrics& metrics;
   Admission& admission;
+  OpenCalls& open;
   bool named_by_certificate = false;  ///< clients present certificates: the log has their names
 };
 

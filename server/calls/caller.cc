@@ -1,6 +1,7 @@
 #include "server/calls/caller.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "server/logging/logs.h"
 
@@ -28,6 +29,11 @@ Caller::Caller(std::string_view rpc, const grpc::CallbackServerContext& context)
 
 Budget Caller::budget(std::chrono::nanoseconds at_most) const {
   return Budget(std::min(Clock::now() + at_most, until_), [this] { return has_left(); });
+}
+
+Budget Caller::budget(std::chrono::nanoseconds at_most, std::function<bool()> over) const {
+  return Budget(std::min(Clock::now() + at_most, until_),
+                [this, over = std::move(over)] { return has_left() || over(); });
 }
 
 void Caller::log(const Answer& answer) const {

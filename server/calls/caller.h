@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <string_view>
 
 #include "core/model/budget.h"
@@ -29,6 +30,9 @@ class Caller {
   /// For a computation of at most this long from now on, which ends a little before the caller's deadline and as soon
   /// as the caller has left. Valid as long as this object.
   Budget budget(std::chrono::nanoseconds at_most) const;
+
+  /// The same, which ends also as soon as `over` says so.
+  Budget budget(std::chrono::nanoseconds at_most, std::function<bool()> over) const;
 
   /// One line about the call, which ends with this answer.
   void log(const Answer& answer) const;

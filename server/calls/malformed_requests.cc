@@ -14,9 +14,10 @@ using grpc::experimental::ServerRpcInfo;
 
 // The method of PlanningService called "/dualarm.planning.v1.PlanningService/PlanMotion"; null for any other.
 const google::protobuf::MethodDescriptor* method_called(std::string_view path) {
-  const auto* service = wire::PlanMotionRequest::descriptor()->file()->FindServiceByName("PlanningService");
-  const std::string prefix = "/" + service->full_name() + "/";
-  return path.starts_with(prefix) ? service->FindMethodByName(std::string(path.substr(prefix.size()))) : nullptr;
+  static const auto* const kService =
+      wire::PlanMotionRequest::descriptor()->file()->FindServiceByName("PlanningService");
+  static const std::string kPrefix = "/" + kService->full_name() + "/";
+  return path.starts_with(kPrefix) ? kService->FindMethodByName(std::string(path.substr(kPrefix.size()))) : nullptr;
 }
 
 class Explainer final : public grpc::experimental::Interceptor {

@@ -8,6 +8,7 @@
 
 #include "server/calls/answer.h"
 #include "server/calls/caller.h"
+#include "server/calls/places.h"
 #include "server/planning_functions.h"
 #include "server/pools/worker_pools.h"
 #include "server/request/requests.h"
@@ -22,6 +23,8 @@ struct Planner {
   std::chrono::nanoseconds longest;  ///< computation for one request
   std::size_t search_memory;         ///< bytes of one search
   RequestLimits limits;
+  std::chrono::nanoseconds trial;  ///< of processor time, for which gRPC's thread may try a plan; zero: not at all
+  Places& trials;                  ///< how many of them may at once
 };
 
 /// Whether a request is refused or waits when the pools are full.
@@ -39,7 +42,13 @@ class PlanningTask {
   PlanningTask(const Planner& planner, const Caller& caller, const wire::PlanMotionRequest& request,
                wire::PlanMotionResponse& response, WhenFull when_full, Done done, Observer observer = {});
 
+  /// Hands the request to the pools.
   void start();
+
+  /// Tries it on this thread, which is gRPC's, and hands it to the pools, from its beginning, only where that is not
+  /// enough time: waking a worker takes about as long as a plan. The answer is the same wherever it is made: what a
+  /// trial was kept from looking at, it does not answer.
+  void start_here();
 
  private:
   using Clock = Caller::Clock;
@@ -47,10 +56,13 @@ class PlanningTask {
   /// Hands it to the pool; false if the pool is full. The task may be gone when this returns true.
   bool submit(WorkerPool& pool, void (PlanningTask::*step)());
   void begin();
+  void go_on(std::optional<Answer> quick);
   void resume();
 
-  /// Nothing while the search is to come.
+  /// Nothing where the search is to come, or where a trial was too short.
   std::optional<Answer> plan_quickly();
+  bool hears_trial_end();
+  Budget quick_budget(std::chrono::nanoseconds at_most);
   Answer search();
   Answer answer(const Outcome& outcome);
   void finish(Answer answer);
@@ -62,6 +74,12 @@ class PlanningTask {
   const WhenFull when_full_;
   const Done done_;
   const Observer observer_;
+  struct Trial {
+    Clock::time_point end;
+    std::chrono::nanoseconds end_of_work;  // processor time of the thread
+    bool is_over = false;                  // a planner has heard so
+  };
+  std::optional<Trial> trial_;  // while it is tried
   PlanWish wish_;
   std::chrono::nanoseconds budget_left_{};
   std::unique_ptr<PlanningSteps> steps_;

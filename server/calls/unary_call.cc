@@ -39,7 +39,7 @@ void UnaryCall::finish(const Answer& answer) {
 grpc::ServerUnaryReactor* PlanCall::start(const Planner& planner, const grpc::CallbackServerContext& context,
                                           const wire::PlanMotionRequest& request, wire::PlanMotionResponse& response) {
   auto* call = new PlanCall(planner, context, request, response);  // deleted by OnDone
-  call->task_.start();
+  call->task_.start_here();
   return call;
 }
 

@@ -24,6 +24,8 @@ std::string timestamp(spdlog::log_clock::time_point time) {
 
 std::string_view view(const spdlog::string_view_t& text) { return {text.data(), text.size()}; }
 
+bool is_control(unsigned char character) { return character < 0x20 || character == 0x7f; }
+
 // The escape of a control character; empty for all others.
 std::string escape(unsigned char character) {
   switch (character) {
@@ -34,7 +36,7 @@ std::string escape(unsigned char character) {
     case '\t':
       return "\\t";
     default:
-      return character < 0x20 || character == 0x7f ? fmt::format("\\u{:04x}", character) : "";
+      return is_control(character) ? fmt::format("\\u{:04x}", character) : "";
   }
 }
 
@@ -78,9 +80,10 @@ std::string json_string(std::string_view text) {
 
 std::string on_one_line(std::string_view text) {
   std::string line;
+  line.reserve(text.size());
   for (const char character : text) {
-    const std::string escaped = escape(static_cast<unsigned char>(character));
-    escaped.empty() ? line += character : line += escaped;
+    is_control(static_cast<unsigned char>(character)) ? line += escape(static_cast<unsigned char>(character))
+                                                      : line += character;
   }
   return line;
 }

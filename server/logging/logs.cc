@@ -18,8 +18,11 @@ namespace {
 constexpr std::size_t kMostRequestBytes = 64 * 1024;
 
 // gRPC reports every refused connection as an error of its own; for us it is news, not an error.
+// That the listening socket was ended is a drain's own doing (hang_up.h).
 void log_for_grpc(gpr_log_func_args* line) {
-  const auto level = line->severity == GPR_LOG_SEVERITY_ERROR ? spdlog::level::warn : spdlog::level::debug;
+  constexpr std::string_view kSocketEnded = "Failed accept4: Invalid argument";
+  const bool is_news = line->severity == GPR_LOG_SEVERITY_ERROR && line->message != kSocketEnded;
+  const auto level = is_news ? spdlog::level::warn : spdlog::level::debug;
   spdlog::log(level, "grpc: {}", line->message);
 }
 
@@ -41,7 +44,10 @@ void start_logs(const std::string& level, bool json) {
   gpr_set_log_function(log_for_grpc);
 }
 
+bool logs_details() { return spdlog::should_log(spdlog::level::debug); }
+
 void log_call(const CallRecord& record) {
+  if (!logs_details()) return;
   spdlog::debug("{} ends with {} queued_ms={:.3f} total_ms={:.3f} {}", record.rpc, code_name(record.code),
                 record.queued_milliseconds, record.total_milliseconds, record.note);
 }

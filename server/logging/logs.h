@@ -21,6 +21,9 @@ struct CallRecord {
   double total_milliseconds;
 };
 
+/// Whether log_call() writes anything: notes for nobody cost time.
+bool logs_details();
+
 /// A line at level debug. The one line at level info that every call has is call_observer's.
 void log_call(const CallRecord& record);
 

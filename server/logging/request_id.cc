@@ -1,9 +1,10 @@
 #include "server/logging/request_id.h"
 
 #include <fmt/format.h>
+#include <sys/random.h>
 
 #include <algorithm>
-#include <random>
+#include <cstdint>
 
 namespace dualarm {
 namespace {
@@ -23,8 +24,10 @@ bool is_request_id(std::string_view text) {
 }
 
 std::string new_request_id() {
-  std::random_device random;
-  return fmt::format("{:08x}{:08x}", random(), random());
+  std::uint64_t bits = 0;
+  while (getrandom(&bits, sizeof bits, 0) != static_cast<ssize_t>(sizeof bits)) {
+  }
+  return fmt::format("{:016x}", bits);
 }
 
 std::string request_id_or_new(std::string_view wanted) {

@@ -28,6 +28,8 @@ const Histogram::BucketBoundaries& gap_buckets() {
   return kBuckets;
 }
 
+// Of PlanFigures.
+constexpr std::array<const char*, 5> kOutcomes = {"plan", "infeasible", "undecided", "valid", "error"};
 constexpr std::string_view kOtherService = "other";
 constexpr std::string_view kOtherMethod = "other";
 
@@ -84,14 +86,6 @@ Metrics::Metrics()
                    .Name("grpc_server_handled_total")
                    .Help("Calls that ended, by status code")
                    .Register(*registry_)),
-      answers_(prometheus::BuildCounter()
-                   .Name("dualarm_answers_total")
-                   .Help("Answers to planning requests, each request of a batch for itself, by outcome")
-                   .Register(*registry_)),
-      plans_(prometheus::BuildCounter()
-                 .Name("dualarm_plans_total")
-                 .Help("Plans, by the method that found them")
-                 .Register(*registry_)),
       searches_(prometheus::BuildCounter()
                     .Name("dualarm_searches_total")
                     .Help("Planning requests that needed the state-time search")
@@ -127,6 +121,21 @@ Metrics::Metrics()
   methods_["/grpc.health.v1.Health/Check"] = instruments("grpc.health.v1.Health", "Check");
   methods_["/grpc.health.v1.Health/Watch"] = instruments("grpc.health.v1.Health", "Watch");
   other_methods_ = instruments(kOtherService, kOtherMethod);
+  auto& answers = prometheus::BuildCounter()
+                      .Name("dualarm_answers_total")
+                      .Help("Answers to planning requests, each request of a batch for itself, by outcome")
+                      .Register(*registry_);
+  for (const char* outcome : kOutcomes) answers_[outcome] = &answers.Add({{"outcome", outcome}});
+  auto& plans = prometheus::BuildCounter()
+                    .Name("dualarm_plans_total")
+                    .Help("Plans, by the method that found them")
+                    .Register(*registry_);
+  const auto* methods = wire::Method_descriptor();
+  for (int i = 0; i < methods->value_count(); ++i) {
+    const auto& value = *methods->value(i);
+    if (value.number() == wire::METHOD_UNSPECIFIED) continue;
+    plans_[static_cast<wire::Method>(value.number())] = &plans.Add({{"method", value.name()}});
+  }
   auto& phases = prometheus::BuildHistogram()
                      .Name("dualarm_phase_seconds")
                      .Help("What a planning request took; rest is waiting for a worker, parsing and encoding")
@@ -156,8 +165,8 @@ void Metrics::end_call(std::string_view path, grpc::StatusCode code, std::chrono
 }
 
 void Metrics::count(const PlanFigures& figures) {
-  answers_.Add({{"outcome", figures.outcome}}).Increment();
-  if (figures.method) plans_.Add({{"method", wire::Method_Name(*figures.method)}}).Increment();
+  answers_.at(figures.outcome)->Increment();
+  if (figures.method && plans_.contains(*figures.method)) plans_.at(*figures.method)->Increment();
   if (figures.gap) gap_.Observe(*figures.gap);
   if (figures.searched) searches_.Increment();
   if (figures.planning_seconds <= 0.0) return;

@@ -64,8 +64,8 @@ class Metrics {
   prometheus::Family<prometheus::Counter>& handled_;
   std::map<std::string, std::unique_ptr<Method>, std::less<>> methods_;  // fixed by the constructor
   std::unique_ptr<Method> other_methods_;
-  prometheus::Family<prometheus::Counter>& answers_;
-  prometheus::Family<prometheus::Counter>& plans_;
+  std::map<std::string, prometheus::Counter*, std::less<>> answers_;  // by outcome
+  std::map<wire::Method, prometheus::Counter*> plans_;                // by the method that found them
   prometheus::Counter& searches_;
   prometheus::Histogram& gap_;
   std::array<prometheus::Histogram*, 4> phases_;  // analytic, verification, search, rest

@@ -30,15 +30,16 @@ const std::map<std::string, Rooms, std::less<>>& arrows() {
       {"server/logging", {"proto", "server"}},
       {"server/metrics", {"proto", "server", "server/logging"}},
       {"server/pools", {"server"}},
+      {"server/connections", {}},
       {"server/request", {"proto", "server", "core", "core/model"}},
       {"server/response", {"proto", "server", "core", "core/model", "core/coordination", "core/verification"}},
-      {"server/security", {"proto", "server"}},
+      {"server/security", {"proto", "server", "server/calls"}},
       {"server/calls",
        {"proto", "server", "server/request", "server/response", "server/logging", "server/metrics", "server/pools",
         "server/security", "core", "core/model"}},
       {"server",
-       {"proto", "server/request", "server/response", "server/calls", "server/pools", "server/security",
-        "server/logging", "server/metrics", "core", "core/model", "core/phase_plane", "core/systems",
+       {"proto", "server/request", "server/response", "server/calls", "server/pools", "server/connections",
+        "server/security", "server/logging", "server/metrics", "core", "core/model", "core/phase_plane", "core/systems",
         "core/coordination", "core/passage", "core/verification", "core/fallback"}},
       {"clients", {"proto"}},
       {"tests", {}},
@@ -62,7 +63,7 @@ const std::vector<ForeignLibrary>& foreign_libraries() {
       {"grpc/", {"proto/", "server/", "clients/"}},
       {"grpcpp/", {"proto/", "server/", "clients/"}},
       {"CLI/", {"server/", "clients/"}},
-      {"spdlog/", {"server/logging/", "server/main.cc", "server/planning_server.cc"}},
+      {"spdlog/", {"server/logging/", "server/connections/", "server/main.cc", "server/planning_server.cc"}},
       {"fmt/", {"server/", "clients/"}},
       {"prometheus/", {"server/metrics/"}},
       {"openssl/", {"server/security/"}},
@@ -82,7 +83,8 @@ bool begins_any(std::string_view text, const auto& prefixes) {
 // "<vector>" has neither folder nor suffix; "<unistd.h>" and "<sys/wait.h>" belong to the operating system.
 bool is_standard(std::string_view target) { return target.find_first_of("/.") == std::string_view::npos; }
 bool is_system(std::string_view target) {
-  return target.ends_with(".h") && (target.find('/') == std::string_view::npos || target.starts_with("sys/"));
+  constexpr std::array<std::string_view, 2> kFolders = {"sys/", "netinet/"};
+  return target.ends_with(".h") && (target.find('/') == std::string_view::npos || begins_any(target, kFolders));
 }
 
 // Each judge answers with the reason against the include, or with nothing.

@@ -51,6 +51,7 @@ std::string trailing_request_id(const grpc::ClientContext& context) {
 
 TEST(CallObserver, WritesOneLineACallWithTheCallersName) {
   const CapturedLog log;
+  std::string id;
   {
     const TestServer server;
     grpc::ClientContext named;
@@ -61,10 +62,10 @@ TEST(CallObserver, WritesOneLineACallWithTheCallersName) {
     grpc::ClientContext verify;
     wire::VerifyMotionResponse verified;
     ASSERT_TRUE(server.stub()->VerifyMotion(&verify, paper_verify_request(), &verified).ok());
-    const std::string id = trailing_request_id(verify);
+    id = trailing_request_id(verify);
     EXPECT_EQ(id.size(), 16u);
-    EXPECT_THAT(log.text(), HasSubstr("VerifyMotion OK request_id=" + id + " total_ms="));
   }
+  EXPECT_THAT(log.text(), HasSubstr("VerifyMotion OK request_id=" + id + " total_ms="));
   EXPECT_EQ(count(log.text(), "PlanMotion OK request_id=cell-4/job-7 total_ms="), 1u) << log.text();
   EXPECT_THAT(log.text(), HasSubstr("outcome=undecided"));
   EXPECT_THAT(log.text(), HasSubstr("outcome=holds"));
