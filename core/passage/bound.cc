@@ -46,7 +46,8 @@ bool leads_on(const ForbiddenPlane& plane, const Gate& gate) {
   return gate.runs_up ? gate.corner_position < range.upper : gate.corner_position > range.lower;
 }
 
-std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travellers& travellers) {
+std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travellers& travellers,
+                                       const Budget& budget) {
   std::vector<Obstacle> obstacles;
   const Interval first = travellers[0].fastest.extent();
   const Interval second = travellers[1].fastest.extent();
@@ -56,9 +57,10 @@ std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travel
       if (stretch.upper < second.lower || stretch.lower > second.upper) continue;
       const Slice slice = {0, position, stretch};
       const auto knows = [&](Obstacle& obstacle) { return obstacle.side_of(slice, true).has_value(); };
+      if (budget.exhausted()) return obstacles;
       if (std::any_of(obstacles.begin(), obstacles.end(), knows)) continue;
       obstacles.emplace_back(plane, std::array{travellers[0].start.position, travellers[1].start.position},
-                             std::array{travellers[0].goal.position, travellers[1].goal.position}, slice);
+                             std::array{travellers[0].goal.position, travellers[1].goal.position}, slice, budget);
     }
   }
   return obstacles;
@@ -111,6 +113,7 @@ class SideSearch {
     std::vector<Candidate> candidates;
     for (const Slice& slice : slices) {
       for (const bool runs_up : {false, true}) {
+        if (budget_.exhausted()) break;
         const Gate gate = gate_on(slice, runs_up);
         if (!leads_on(plane_, gate) || obstacle_.side_of(slice, runs_up) != side_) continue;
         candidates.push_back({gate, gate_estimate(travellers_, gate)});
@@ -123,7 +126,7 @@ class SideSearch {
 
   /// A gate of which nothing counts but a bound beyond `floor` (s) costs less.
   GateBound consider(const Gate& gate, const GateBound* near_by, double floor = 0.0) {
-    const GateBound bound = gate_bound(travellers_, gate, near_by, floor);
+    const GateBound bound = gate_bound(travellers_, gate, near_by, floor, budget_);
     if (!best_ || bound.duration > best_->bound.duration) best_ = Way{gate, bound};
     return bound;
   }
@@ -257,7 +260,7 @@ PassageBound bound_of(const ForbiddenPlane& plane, const Travellers& travellers,
 PassageBound passage_bound(const ForbiddenPlane& plane, const Travellers& travellers, const Budget& budget,
                            const std::vector<Way>& near_by) {
   PassageBound best;
-  for (Obstacle& obstacle : obstacles_on_way(plane, travellers)) {
+  for (Obstacle& obstacle : obstacles_on_way(plane, travellers, budget)) {
     if (budget.exhausted()) break;
     PassageBound bound = bound_of(plane, travellers, obstacle, near_by, budget);
     if (bound.duration > best.duration || best.ways.empty()) best = std::move(bound);
