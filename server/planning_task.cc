@@ -39,16 +39,18 @@ PlanningTask::PlanningTask(const Planner& planner, const Caller& caller, const w
       observer_(std::move(observer)) {}
 
 void PlanningTask::start() {
-  if (!submit(planner_.pools.quick, &PlanningTask::begin)) finish({overloaded(), "queue full"});
+  if (!submit(planner_.pools.quick, &PlanningTask::begin, Queue::kYes)) finish({overloaded(), "queue full"});
 }
 
-bool PlanningTask::submit(WorkerPool& pool, void (PlanningTask::*step)()) {
+bool PlanningTask::submit(WorkerPool& pool, void (PlanningTask::*step)(), Queue queue) {
   submitted_ = Clock::now();
   WorkerPool::Task task = [this, step] {
     waited_ += Clock::now() - submitted_;
     (this->*step)();
   };
-  if (when_full_ == WhenFull::kRefuse) return pool.try_submit(std::move(task));
+  if (when_full_ == WhenFull::kRefuse) {
+    return queue == Queue::kYes ? pool.try_submit(std::move(task)) : pool.try_submit_at_once(std::move(task));
+  }
   pool.submit(std::move(task));
   return true;
 }
@@ -77,8 +79,10 @@ std::optional<Answer> PlanningTask::plan_quickly() {
   if (const auto outcome = steps_->quick()) return answer(*outcome);
   if (caller_.has_left()) return gone("before the search");
   budget_left_ = allowed - (Clock::now() - begin);
-  if (!submit(planner_.pools.search, &PlanningTask::resume)) return Answer{searches_overloaded(), "search queue full"};
-  return std::nullopt;
+  const auto outcome = steps_->in_hand();
+  if (submit(planner_.pools.search, &PlanningTask::resume, outcome ? Queue::kNo : Queue::kYes)) return std::nullopt;
+  if (outcome) return answer(*outcome);
+  return Answer{searches_overloaded(), "search queue full"};
 }
 
 Answer PlanningTask::search() {
