@@ -17,14 +17,15 @@ constexpr std::size_t kMostObstacles = 8;
 
 /// Adds the obstacle that a slice belongs to, if it is not known yet.
 void add_obstacle(std::vector<Obstacle>& obstacles, const ForbiddenPlane& plane, const Travellers& travellers,
-                  const Slice& slice) {
+                  const Slice& slice, const Budget& budget) {
   const auto knows = [&](Obstacle& obstacle) { return obstacle.side_of(slice, true).has_value(); };
   if (std::any_of(obstacles.begin(), obstacles.end(), knows)) return;
   obstacles.emplace_back(plane, std::array{travellers[0].start.position, travellers[1].start.position},
-                         std::array{travellers[0].goal.position, travellers[1].goal.position}, slice);
+                         std::array{travellers[0].goal.position, travellers[1].goal.position}, slice, budget);
 }
 
-std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travellers& travellers) {
+std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travellers& travellers,
+                                       const Budget& budget) {
   std::vector<Obstacle> obstacles;
   const Interval first = travellers[0].fastest.extent();
   const Interval second = travellers[1].fastest.extent();
@@ -32,7 +33,8 @@ std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travel
     const double position = first.lower + first.length() * i / (kSeedSlices - 1);
     for (const Interval& stretch : plane.slice(0, position).intervals()) {
       if (stretch.upper < second.lower || stretch.lower > second.upper) continue;
-      add_obstacle(obstacles, plane, travellers, {0, position, stretch});
+      if (budget.exhausted()) return obstacles;
+      add_obstacle(obstacles, plane, travellers, {0, position, stretch}, budget);
     }
   }
   return obstacles;
@@ -40,7 +42,7 @@ std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travel
 
 /// The obstacles that known ways lead around.
 std::vector<Obstacle> obstacles_at(const std::vector<Way>& ways, const ForbiddenPlane& plane,
-                                   const Travellers& travellers) {
+                                   const Travellers& travellers, const Budget& budget) {
   std::vector<Obstacle> obstacles;
   for (const Way& way : ways) {
     const Gate& gate = way.gate;
@@ -51,7 +53,7 @@ std::vector<Obstacle> obstacles_at(const std::vector<Way>& ways, const Forbidden
     for (const Interval& stretch : plane.slice(gate.pinned_arm, gate.pinned_position).intervals()) {
       if (!nearest || away(stretch) < away(*nearest)) nearest = stretch;
     }
-    if (nearest) add_obstacle(obstacles, plane, travellers, {gate.pinned_arm, gate.pinned_position, *nearest});
+    if (nearest) add_obstacle(obstacles, plane, travellers, {gate.pinned_arm, gate.pinned_position, *nearest}, budget);
   }
   return obstacles;
 }
@@ -76,8 +78,8 @@ PassageBound bound_of(const ForbiddenPlane& plane, const Travellers& travellers,
 PassageBound passage_bound(const ForbiddenPlane& plane, const Travellers& travellers, const Budget& budget,
                            const std::vector<Way>& near_by) {
   PassageBound best;
-  std::vector<Obstacle> obstacles = obstacles_at(near_by, plane, travellers);
-  if (obstacles.empty()) obstacles = obstacles_on_way(plane, travellers);
+  std::vector<Obstacle> obstacles = obstacles_at(near_by, plane, travellers, budget);
+  if (obstacles.empty()) obstacles = obstacles_on_way(plane, travellers, budget);
   for (Obstacle& obstacle : obstacles) {
     if (budget.exhausted()) break;
     PassageBound bound = bound_of(plane, travellers, obstacle, near_by, budget);

@@ -45,9 +45,10 @@ Orders orders_of(const Travellers& travellers, const Gate& gate);
 
 /// T_bound(gate) = min { T : both arms can be at the gate at one time, and start and end within T }. The bound of a
 /// gate near by, if given, saves work; so does a `floor` (s): where the bound is no larger, what is answered is no
-/// larger either, and says no more. Theory, section 4.
+/// larger either, and says no more. When the budget runs out, what is answered is smaller than the bound. Theory,
+/// section 4.
 GateBound gate_bound(const Travellers& travellers, const Gate& gate, const GateBound* near_by = nullptr,
-                     double floor = 0.0);
+                     double floor = 0.0, const Budget& budget = Budget());
 
 /// What a gate takes if nothing is hurried, at much less cost.
 struct GateEstimate {

@@ -105,6 +105,7 @@ class SideSearch {
     std::vector<Candidate> candidates;
     for (const Slice& slice : slices) {
       for (const bool runs_up : {false, true}) {
+        if (budget_.exhausted()) break;
         const Gate gate = gate_on(slice, runs_up);
         if (!leads_on(plane_, gate) || obstacle_.side_of(slice, runs_up) != side_) continue;
         candidates.push_back({gate, gate_estimate(travellers_, gate)});
@@ -123,7 +124,7 @@ class SideSearch {
 
   /// A gate of which nothing counts but a bound beyond `floor` (s) costs less.
   GateBound consider(const Gate& gate, const GateBound* near_by, double floor = 0.0) {
-    const GateBound bound = gate_bound(travellers_, gate, near_by, floor);
+    const GateBound bound = gate_bound(travellers_, gate, near_by, floor, budget_);
     if (!best_ || bound.duration > best_->bound.duration) best_ = Way{gate, bound};
     return bound;
   }

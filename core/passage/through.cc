@@ -102,7 +102,7 @@ Passing Through::at(double share) const {
   return through_with(least_.velocity + (most_velocity_ - least_.velocity) * share * share);
 }
 
-Passing Through::within(double duration) const {
+Passing Through::within(double duration, const Budget& budget) const {
   if (least_.duration() >= duration) return least_;
   const Passing most = this->most();
   if (most.duration() <= duration) return most;
@@ -116,7 +116,7 @@ Passing Through::within(double duration) const {
   std::uintmax_t steps = kMostSteps;
   boost::math::tools::toms748_solve(
       excess, 0.0, 1.0, least_.duration() - duration, std::min(most.duration(), kNever) - duration,
-      [](double low, double high) { return high - low < kShareTolerance; }, steps);
+      [&](double low, double high) { return high - low < kShareTolerance || budget.exhausted(); }, steps);
   return beyond;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/model/budget.h"
 #include "core/phase_plane/profile.h"
 #include "core/phase_plane/system.h"
 
@@ -67,8 +68,8 @@ class Through {
   Passing at(double share) const;
 
   /// The motion of at most `duration` (s, at least that of `least`) whose hurried half is the fastest; the hurried half
-  /// is never slower than the truth, to rounding.
-  Passing within(double duration) const;
+  /// is never slower than the truth, to rounding, and faster where the budget runs out.
+  Passing within(double duration, const Budget& budget = Budget()) const;
 
   /// A motion of the family as a profile; nothing if there is none.
   std::optional<Profile> motion(const Passing& passing) const;

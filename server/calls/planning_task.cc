@@ -47,7 +47,7 @@ PlanningTask::PlanningTask(const Planner& planner, const Caller& caller, const w
       observer_(std::move(observer)) {}
 
 void PlanningTask::start() {
-  if (!submit(planner_.pools.quick, &PlanningTask::begin)) finish({overloaded(), "queue full"});
+  if (!submit(planner_.pools.quick, &PlanningTask::begin, Queue::kYes)) finish({overloaded(), "queue full"});
 }
 
 void PlanningTask::start_here() {
@@ -66,13 +66,15 @@ void PlanningTask::start_here() {
   start();
 }
 
-bool PlanningTask::submit(WorkerPool& pool, void (PlanningTask::*step)()) {
+bool PlanningTask::submit(WorkerPool& pool, void (PlanningTask::*step)(), Queue queue) {
   submitted_ = Clock::now();
   WorkerPool::Task task = [this, step] {
     waited_ += Clock::now() - submitted_;
     (this->*step)();
   };
-  if (when_full_ == WhenFull::kRefuse) return pool.try_submit(std::move(task));
+  if (when_full_ == WhenFull::kRefuse) {
+    return queue == Queue::kYes ? pool.try_submit(std::move(task)) : pool.try_submit_at_once(std::move(task));
+  }
   pool.submit(std::move(task));
   return true;
 }
@@ -85,7 +87,10 @@ void PlanningTask::begin() {
 void PlanningTask::go_on(std::optional<Answer> quick) {
   if (quick) return finish(*std::move(quick));
   if (caller_.has_left()) return finish(gone("before the search"));
-  if (!submit(planner_.pools.search, &PlanningTask::resume)) finish({searches_overloaded(), "search queue full"});
+  const auto in_hand = steps_->in_hand();
+  if (submit(planner_.pools.search, &PlanningTask::resume, in_hand ? Queue::kNo : Queue::kYes)) return;
+  if (!in_hand) return finish({searches_overloaded(), "search queue full"});
+  finish(answer_of(caller_.rpc(), request_, [&] { return answer(*in_hand); }));
 }
 
 void PlanningTask::resume() {

@@ -53,8 +53,12 @@ class PlanningTask {
  private:
   using Clock = Caller::Clock;
 
+  /// Whether a request that is refused where pools are full may wait in their queues: not for a better plan than the
+  /// one in hand.
+  enum class Queue { kYes, kNo };
+
   /// Hands it to the pool; false if the pool is full. The task may be gone when this returns true.
-  bool submit(WorkerPool& pool, void (PlanningTask::*step)());
+  bool submit(WorkerPool& pool, void (PlanningTask::*step)(), Queue queue);
   void begin();
   void go_on(std::optional<Answer> quick);
   void resume();
