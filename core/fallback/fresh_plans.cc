@@ -29,12 +29,14 @@ FreshPlans::FreshPlans(const Systems& systems, const ClearanceProof& proof, cons
     : systems_(systems),
       start_(start),
       goals_(goal),
+      lower_bound_(rules.lower_bound),
       random_(random),
       budget_(budget),
       alignment_(proof, rules, budget) {}
 
 void FreshPlans::run(int evaluation_limit, double longest) {
-  while (evaluations() < evaluation_limit && !budget_.exhausted()) {
+  const auto is_best = [this] { return !found_.empty() && found_.front().duration() <= lower_bound_; };
+  while (evaluations() < evaluation_limit && !is_best() && !budget_.exhausted()) {
     ++drawn_;
     Itinerary drawn = start_;
     if (!draw_legs(drawn, 0) || !draw_legs(drawn, 1)) continue;
@@ -51,10 +53,11 @@ void FreshPlans::run(int evaluation_limit, double longest) {
 }
 
 bool FreshPlans::draw_legs(Itinerary& itinerary, int arm) {
-  const double kind = random_.fraction();
+  const double kind = drawn_ == 1 ? 0.0 : random_.fraction();  // both straight at first
   const int vias = kind < kStraightShare ? 0 : kind < kStraightShare + kOneViaShare ? 1 : 2;
   JointState at = itinerary.start_state(arm);
   for (int via = 0; via <= vias; ++via) {
+    if (budget_.exhausted()) return false;
     const JointState to = via < vias ? draw_via(arm) : goals_[arm];
     const auto motion = steer(*systems_[arm], at, to);
     if (!motion) return false;

@@ -16,8 +16,8 @@ class FreshPlans {
   FreshPlans(const Systems& systems, const ClearanceProof& proof, const Itinerary& start, const JointStates& goal,
              const PlanRules& rules, Random& random, const Budget& budget);
 
-  /// Draws until `evaluation_limit` plans have been tried, or the budget is exhausted. Plans of `longest` (s) or more
-  /// are of no use.
+  /// Draws until `evaluation_limit` plans have been tried, one is as short as can be, or the budget is exhausted. Plans
+  /// of `longest` (s) or more are of no use.
   void run(int evaluation_limit, double longest);
 
   /// The `count` fastest that differ, the fastest first.
@@ -32,6 +32,7 @@ class FreshPlans {
   const Systems& systems_;
   Itinerary start_;
   JointStates goals_;
+  double lower_bound_;  ///< s: no plan is shorter
   Random& random_;
   const Budget& budget_;
   Alignment alignment_;

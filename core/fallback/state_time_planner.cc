@@ -147,9 +147,7 @@ class Search {
     FreshPlans fresh(systems_, proof_, Itinerary(systems_, start_, arrivals_), goal_, plan_rules(), random_, budget_);
     fresh.run(share(kFreshShare), kTolerated * shortest());
     count(fresh.evaluations());
-    for (Itinerary& plan : fresh.best(kFresh)) {
-      if (!is_done()) enter(std::move(plan));
-    }
+    for (Itinerary& plan : fresh.best(kFresh)) enter(std::move(plan));
   }
 
   /// Takes a plan that was found, or what becomes of it in some evaluations.
