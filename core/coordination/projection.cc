@@ -186,7 +186,7 @@ class Projection {
         if (budget_.exhausted()) return false;
         const IntervalList others = meetings_.times_over(cell.positions());
         if (forbids_no_more(cell, others, known, kPolish * longest_)) continue;
-        if (forbids_no_more(cell, others, known, resolution_) || is_shortest(cell)) {
+        if (is_covered(cell, others, known, resolution_) || is_shortest(cell)) {
           leaves_.push_back(cell);
         } else {
           split(cell, halves);
@@ -197,18 +197,25 @@ class Projection {
     return true;
   }
 
-  /// Whether a cell, of which a superset of the other times is given, is proven to forbid no more than what is known,
-  /// give or take a tolerance.
+  /// The differences of a cell, of which a superset of the other times is given.
+  static Interval differences_at(const Cell& cell, const Interval& times) {
+    return {cell.from_time - times.upper, cell.to_time - times.lower};
+  }
+
+  /// Whether the superset itself lies within what is known, give or take a tolerance.
+  static bool is_covered(const Cell& cell, const IntervalList& others, const IntervalSet& known, double tolerance) {
+    return std::all_of(others.begin(), others.end(),
+                       [&](const Interval& times) { return known.covers(differences_at(cell, times), tolerance); });
+  }
+
+  /// Whether a cell is proven to forbid no more than what is known, give or take a tolerance. Of a wide cell this says
+  /// nothing about where in it an end may be polished.
   bool forbids_no_more(const Cell& cell, const IntervalList& others, const IntervalSet& known, double tolerance) const {
-    const auto differences_at = [&](const Interval& times) {
-      return Interval{cell.from_time - times.upper, cell.to_time - times.lower};
-    };
-    const auto is_covered = [&](const Interval& times) { return known.covers(differences_at(times), tolerance); };
-    if (std::all_of(others.begin(), others.end(), is_covered)) return true;
+    if (is_covered(cell, others, known, tolerance)) return true;
     Patch patch = {cell.times(), {}, {}, 0.0, cell.leg, cell.middle(), arm_.time_at(*cell.leg, cell.middle())};
     return std::all_of(others.begin(), others.end(), [&](const Interval& times) {
       patch.others = times;
-      const Doubts open = doubts(differences_at(times), known, tolerance);
+      const Doubts open = doubts(differences_at(cell, times), known, tolerance);
       return std::all_of(open.begin(), open.end(), [&](const Doubt& doubt) {
         patch.differences = doubt.differences;
         patch.likely_difference = doubt.likely();
