@@ -55,3 +55,10 @@ function(dualarm_library name)
   target_sources(dualarm_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
   target_link_libraries(dualarm_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS} dualarm_warnings)
 endfunction()
+
+# dualarm_room(LIBRARY SOURCES a.cc ... HEADERS a.h ...): one folder more of a library whose folders know each other.
+function(dualarm_room library)
+  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS" ${ARGN})
+  target_sources(dualarm_${library} PRIVATE ${ARG_SOURCES}
+                 PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
+endfunction()

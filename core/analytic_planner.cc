@@ -10,6 +10,7 @@
 #include "core/passage/passage_plan.h"
 #include "core/passage/proof.h"
 #include "core/passage/traffic_proof.h"
+#include "core/passage_choice.h"
 #include "core/phase_plane/time_optimal.h"
 #include "core/proven_plan.h"
 #include "core/refusal.h"
@@ -120,6 +121,7 @@ class AnalyticPlanner {
   /// Waiting, or a passage where that is faster. Theory, sections 3 and 4.
   std::optional<Decision> coordinate() {
     findings_.begin("start delays");
+    for (FastestMotion& motion : fastest_) motion.profile = motion.profile.asked_often();
     const StartChoice choice = starts_of(fastest_[0].profile, fastest_[1].profile);
     findings_.safe_delays = choice.safe_delays;
     if (!choice.times && knows_start_times()) findings_.tried.push_back(choice.why_not);
@@ -128,7 +130,8 @@ class AnalyticPlanner {
     const double longest = std::max(slower_duration(), findings_.bounds.planned_visit);
     if (known > longest * (1.0 + kAtBound)) bound_by_passage();
     if (is_parted_) return refuse_parted(problem_);
-    if (known > std::max(longest, passage_.duration) * (1.0 + kAtBound)) {
+    const double passage = findings_.passages ? findings_.passages->bound.duration : 0.0;
+    if (known > std::max(longest, passage) * (1.0 + kAtBound)) {
       if (auto found = pass(known)) return *std::move(found);
     }
     if (choice.times) {
@@ -175,58 +178,44 @@ class AnalyticPlanner {
   void bound_by_passage() {
     findings_.begin("passage");
     const Budget budget = budget_.methods.part(kBoundShare);
-    travellers_.emplace(Travellers{traveller(0), traveller(1)});
+    findings_.passages.emplace(Passages{{traveller(0), traveller(1)}, {}});
+    const Travellers& travellers = findings_.passages->travellers;
     const Problem planned = prepared_.within_free_ranges_at(prepared_.clearance());
-    passage_ = passage_bound(ForbiddenPlane(planned, prepared_.clearance()), *travellers_, budget);
-    findings_.bounds.planned = proof_of(passage_, planned);
+    const PassageBound& bound = findings_.passages->bound =
+        passage_bound(ForbiddenPlane(planned, prepared_.clearance()), travellers, budget);
+    findings_.bounds.planned = proof_of(bound, planned);
     const double demanded = problem_.options.clearance;
     const Problem free = prepared_.within_free_ranges_at(demanded);
-    is_parted_ = std::isinf(passage_.duration) &&
-                 std::isinf(passage_bound(ForbiddenPlane(free, demanded), *travellers_, budget).duration);
-    if (std::isfinite(passage_.duration)) {
-      findings_.bounds.demanded = passage_proof(free, demanded, passage_.duration, budget, passage_.ways);
+    is_parted_ = std::isinf(bound.duration) &&
+                 std::isinf(passage_bound(ForbiddenPlane(free, demanded), travellers, budget).duration);
+    if (std::isfinite(bound.duration)) {
+      findings_.bounds.demanded = passage_proof(free, demanded, bound.duration, budget, bound.ways);
     }
   }
 
   Traveller traveller(int arm) const {
-    return {&prepared_.system(arm), problem_.tasks[arm].start, problem_.tasks[arm].goal,
-            fastest_[arm].profile.asked_often()};
+    return {&prepared_.system(arm), problem_.tasks[arm].start, problem_.tasks[arm].goal, fastest_[arm].profile};
   }
 
   /// The fastest motions found through a passage, if they take less than `known` (s). Theory, section 4.
   std::optional<Plan> pass(double known) {
     if (!problem_.options.allows(Method::kPassage)) return std::nullopt;
-    if (passage_.ways.empty()) {
+    if (!findings_.passages || findings_.passages->bound.ways.empty()) {
       findings_.tried.push_back("passage: no gate was found that the arms have to pass in turn");
       return std::nullopt;
     }
     if (auto found = pass_extremally()) return found;
-    const double least = slower_duration();
-    std::optional<PassagePlan> best;
-    for (const Way& way : passage_.ways) {
-      auto found = passage_plan(prepared_.forbidden(), *travellers_, way, least, known,
-                                problem_.options.max_start_delay, budget_.methods);
-      if (!found || !gives_way_to_objects(*found, known)) continue;
-      best = std::move(found);
-      known = best->times.duration;
+    if (const auto best = fastest_passage(prepared_, *findings_.passages, known, budget_.methods)) {
+      return verified(Method::kPassage, *best);
     }
-    if (best) return verified(Method::kPassage, *best);
     findings_.tried.push_back("passage: no motions through it were found that are free and faster than a delay");
     return std::nullopt;
   }
 
-  /// Moving objects may ask for other start times, or leave none: false if the plan takes `known` (s) or more then.
-  bool gives_way_to_objects(PassagePlan& plan, double known) const {
-    if (!prepared_.has_moving_objects()) return true;
-    const StartChoice choice = starts_of(plan.motions[0], plan.motions[1]);
-    if (choice.times) plan.times = *choice.times;
-    return choice.times && choice.times->duration < known;
-  }
-
   /// The extremal motions through the fastest way, if they are free. Verification tells that faster than a search.
   std::optional<Plan> pass_extremally() {
-    const auto extremal =
-        extremal_plan(*travellers_, passage_.ways.front(), slower_duration(), problem_.options.max_start_delay);
+    const auto extremal = extremal_plan(findings_.passages->travellers, findings_.passages->bound.ways.front(),
+                                        slower_duration(), problem_.options.max_start_delay);
     if (!extremal || prepared_.has_moving_objects() || budget_.methods.exhausted()) return std::nullopt;
     const std::size_t tried = findings_.tried.size();
     if (auto found = verified(Method::kPassage, *extremal)) return found;
@@ -235,9 +224,10 @@ class AnalyticPlanner {
   }
 
   std::optional<Plan> verified(Method method, const PassagePlan& plan) {
-    const Schedule schedule = {std::vector{TimedProfile{plan.times.first, plan.motions[0]}},
-                               {TimedProfile{plan.times.second, plan.motions[1]}}};
-    return proven_plan(prepared_, method, plan.times.duration, schedule, budget_.proof, findings_);
+    const Schedule schedule = schedule_of(plan);
+    auto found = proven_plan(prepared_, method, plan.times.duration, schedule, budget_.proof, findings_);
+    if (found) findings_.analytic = KnownSchedule{schedule, plan.times.duration};
+    return found;
   }
 
   const PreparedProblem& prepared_;
@@ -245,8 +235,6 @@ class AnalyticPlanner {
   const PlanningBudget& budget_;
   Findings& findings_;
   std::vector<FastestMotion> fastest_;
-  std::optional<Travellers> travellers_;
-  PassageBound passage_;    ///< at the planning clearance
   bool is_parted_ = false;  ///< no path leads from the start to the goal
 };
 

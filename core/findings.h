@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/fallback/state_time_planner.h"
 #include "core/observer.h"
+#include "core/passage/bound.h"
 #include "core/passage/proof.h"
 #include "core/plan.h"
 
@@ -30,12 +32,20 @@ struct KnownBounds {
   double of_every_plan() const;
 };
 
+/// The arms on their own, and the ways there are for them around each other.
+struct Passages {
+  Travellers travellers;  ///< refer to the prepared problem's systems
+  PassageBound bound;     ///< at the planning clearance
+};
+
 /// What one planning run has found out so far. The observer outlives it.
 class Findings {
  public:
   explicit Findings(const Observer& observer) : observer_(observer) {}
 
   KnownBounds bounds;
+  std::optional<Passages> passages;        ///< where they were looked for
+  std::optional<KnownSchedule> analytic;   ///< of the plan that the analytic methods gave
   std::optional<IntervalSet> safe_delays;  ///< s, of the fastest motions; moving objects left out
   std::vector<std::string> tried;          ///< one line a method that did not lead to a plan
   Statistics statistics;

@@ -21,6 +21,7 @@ struct PlanningRun::State {
   Budget::Clock::duration quick_time{};
   PreparedProblem prepared;
   Findings findings;
+  std::optional<Plan> in_hand;  ///< while the search looks for a faster one
 
   State(const Problem& problem, const Budget& all, const Observer& observer)
       : budget(all), prepared(problem), findings(observer) {}
@@ -41,12 +42,21 @@ std::optional<Outcome> PlanningRun::quick() {
   Findings& findings = state_->findings;
   auto decision = plan_analytically(state_->prepared, state_->budget, findings);
   findings.statistics.analytic_seconds = seconds_since(state_->begin) - findings.statistics.verification_seconds;
-  if (decision) {
+  const bool may_search = allows_search(state_->prepared.problem().options);
+  auto* plan = decision ? std::get_if<Plan>(&*decision) : nullptr;
+  if (plan != nullptr && may_search && is_worth_searching(plan->certificate)) {
+    state_->in_hand = std::move(*plan);
+  } else if (decision) {
     return std::visit([this](auto&& answer) { return state_->outcome(std::move(answer)); }, *std::move(decision));
   }
   state_->quick_time = Budget::Clock::now() - state_->begin;
-  if (allows_search(state_->prepared.problem().options)) return std::nullopt;
+  if (may_search) return std::nullopt;
   return state_->undecided();
+}
+
+std::optional<Outcome> PlanningRun::in_hand() {
+  if (!state_->in_hand) return std::nullopt;
+  return state_->outcome(*state_->in_hand);
 }
 
 Outcome PlanningRun::search(const Budget& budget) {
@@ -55,6 +65,7 @@ Outcome PlanningRun::search(const Budget& budget) {
   if (auto plan = plan_by_search(state_->prepared, state_->budget, state_->findings)) {
     return state_->outcome(*std::move(plan));
   }
+  if (auto outcome = in_hand()) return *std::move(outcome);
   return state_->undecided();
 }
 

@@ -18,8 +18,13 @@ class PlanningRun {
   PlanningRun(const Problem& problem, const Budget& budget, const Observer& observer);
   ~PlanningRun();
 
-  /// The analytic methods: milliseconds. Nothing where only the search can decide; otherwise the answer.
+  /// The analytic methods: milliseconds. Nothing where only the search can decide, or may find a faster plan than they
+  /// did; otherwise the answer.
   std::optional<Outcome> quick();
+
+  /// What is answered if the search cannot have its turn after quick() gave nothing: the plan that the analytic methods
+  /// found, if they did.
+  std::optional<Outcome> in_hand();
 
   /// The search in state-time space, after quick() gave nothing: until it is done or this budget is exhausted, which
   /// takes the place of the run's, because the search may have had to wait for its turn.

@@ -1,10 +1,19 @@
 #include "geometry/chain.h"
 
+#include <cmath>
+
 namespace dualarm {
 
 Eigen::Isometry3d link_pose(const Base& base, double joint_position) {
   const double direction = base.heading + base.sense() * joint_position;
-  return Eigen::Translation3d(base.position) * Eigen::AngleAxisd(direction, Eigen::Vector3d::UnitZ());
+  const double cosine = std::cos(direction);
+  const double sine = std::sin(direction);
+  Eigen::Isometry3d pose;
+  pose.matrix() << cosine, -sine, 0.0, base.position.x(),  //
+      sine, cosine, 0.0, base.position.y(),                //
+      0.0, 0.0, 1.0, base.position.z(),                    //
+      0.0, 0.0, 0.0, 1.0;
+  return pose;
 }
 
 Capsule placed(const Capsule& capsule, const Eigen::Isometry3d& pose) {

@@ -182,6 +182,11 @@ double rounding_of_rim(const Shape& core) {
   return kRoundingOfAxis * cylinder->radius / (cylinder->end - cylinder->start).norm();
 }
 
+/// Of FCL's distance of capsules.
+double error_of_axes(const Capsule& first, const Capsule& second) {
+  return kFloorOfError + kErrorPerLength * std::max(axis_length(first), axis_length(second));
+}
+
 }  // namespace
 
 Clearance clearance(const Capsule& first, const Capsule& second) {
@@ -195,6 +200,9 @@ Clearance clearance(const Capsule& first, const Capsule& second) {
 }
 
 Clearance clearance(const Shape& first, const Shape& second) {
+  const auto* first_capsule = std::get_if<Capsule>(&first);
+  const auto* second_capsule = std::get_if<Capsule>(&second);
+  if (first_capsule != nullptr && second_capsule != nullptr) return clearance(*first_capsule, *second_capsule);
   const Core a = core_of(first);
   const Core b = core_of(second);
   if (axis_of(a) == nullptr || axis_of(b) == nullptr) return clearance_of_cores(a, b);
@@ -203,13 +211,16 @@ Clearance clearance(const Shape& first, const Shape& second) {
 }
 
 double clearance_error(const Shape& first, const Shape& second) {
+  const auto* first_capsule = std::get_if<Capsule>(&first);
+  const auto* second_capsule = std::get_if<Capsule>(&second);
+  if (first_capsule != nullptr && second_capsule != nullptr) return error_of_axes(*first_capsule, *second_capsule);
   const Core a = core_of(first);
   const Core b = core_of(second);
   if (axis_of(a) == nullptr || axis_of(b) == nullptr) {
     return kFloorOfRounding + kRoundingPerLength * (bounding_radius(first) + bounding_radius(second)) +
            rounding_of_rim(a.shape) + rounding_of_rim(b.shape);
   }
-  return kFloorOfError + kErrorPerLength * std::max(axis_length(*axis_of(a)), axis_length(*axis_of(b)));
+  return error_of_axes(*axis_of(a), *axis_of(b));
 }
 
 }  // namespace dualarm

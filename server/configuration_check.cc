@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "server/listen_address.h"
-#include "server/replay_folder.h"
+#include "server/logging/replay_folder.h"
 #include "server/security/security.h"
 
 namespace dualarm {

@@ -13,7 +13,7 @@
 
 #include "server/build_information.h"
 #include "server/configuration_check.h"
-#include "server/logs.h"
+#include "server/logging/logs.h"
 #include "server/options.h"
 #include "server/planning_functions.h"
 #include "server/planning_server.h"

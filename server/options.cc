@@ -11,7 +11,7 @@
 
 #include "server/build_information.h"
 #include "server/listen_address.h"
-#include "server/metrics_endpoint.h"
+#include "server/metrics/metrics_endpoint.h"
 
 namespace dualarm {
 namespace {
@@ -37,6 +37,9 @@ void add_options(CLI::App& app, ServerOptions& options) {
   app.add_option("--worker-threads", options.worker_threads, "Quick computations at once")->check(CLI::Range(1, 1024));
   app.add_option("--queue-capacity", options.queue_capacity, "Requests that may wait for a worker")
       ->check(CLI::Range(0, 1'000'000));
+  app.add_option("--inline-milliseconds", options.inline_milliseconds,
+                 "Processor time for which gRPC's own thread may try a plan before a worker takes it over: 0 none")
+      ->check(CLI::Range(0.0, 100.0));
   app.add_option("--search-threads", options.search_threads, "Searches at once")->check(CLI::Range(1, 1024));
   app.add_option("--search-queue", options.search_queue, "Requests that may wait for a search")
       ->check(CLI::Range(0, 1'000'000));

@@ -17,6 +17,7 @@ struct ServerOptions {
   int max_message_mib = 4;                 ///< largest request, MiB
   int worker_threads = 1;                  ///< quick computations at once
   int queue_capacity = 1000;               ///< requests that may wait for a worker
+  double inline_milliseconds = 5.0;        ///< that gRPC's own thread may work on a plan before a worker takes it over
   int search_threads = 1;                  ///< searches at once
   int search_queue = 64;                   ///< requests that may wait for a search
   int niceness = 19;                       ///< of threads that search or draw, 0 to 19

@@ -11,6 +11,7 @@ class CoreSteps final : public PlanningSteps {
   CoreSteps(const Problem& problem, const Budget& budget, const Observer& observer) : run_(problem, budget, observer) {}
 
   std::optional<Outcome> quick() override { return run_.quick(); }
+  std::optional<Outcome> in_hand() override { return run_.in_hand(); }
   Outcome search(const Budget& budget) override { return run_.search(budget); }
 
  private:

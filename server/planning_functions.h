@@ -17,8 +17,11 @@ class PlanningSteps {
  public:
   virtual ~PlanningSteps() = default;
 
-  /// Nothing where only the search can decide.
+  /// Nothing where only the search can decide, or may find a faster plan.
   virtual std::optional<Outcome> quick() = 0;
+
+  /// The plan that is there without the search, after quick() gave nothing.
+  virtual std::optional<Outcome> in_hand() = 0;
 
   /// After quick() gave nothing; perhaps later and on another thread, with what is left of the budget.
   virtual Outcome search(const Budget& budget) = 0;

@@ -7,14 +7,16 @@
 #include <optional>
 #include <string>
 
-#include "server/call_log.h"
-#include "server/metrics.h"
-#include "server/metrics_endpoint.h"
+#include "server/calls/open_calls.h"
+#include "server/heap_trimmer.h"
+#include "server/logging/call_log.h"
+#include "server/metrics/metrics.h"
+#include "server/metrics/metrics_endpoint.h"
 #include "server/options.h"
 #include "server/planning_service.h"
+#include "server/pools/worker_pools.h"
 #include "server/security/guarded_service.h"
 #include "server/security/security.h"
-#include "server/worker_pools.h"
 
 namespace dualarm {
 
@@ -52,7 +54,8 @@ class PlanningServer {
   /// Health says NOT_SERVING from now on, and everything is served as before.
   void announce_end();
 
-  /// Health says NOT_SERVING, new calls are refused, running ones get this long to finish and are then cancelled.
+  /// Health says NOT_SERVING, new calls are refused with UNAVAILABLE, running ones get this long to finish; then the
+  /// connections are closed, which callers who still wait hear as UNAVAILABLE, too.
   void drain(std::chrono::nanoseconds patience);
 
  private:
@@ -62,11 +65,14 @@ class PlanningServer {
   PlanningService service_;
   WorkerPools pools_;  // before the server: calls run on them until it has shut down; after the service, whose
                        // functions their threads use to the last
+  OpenCalls open_calls_;
   GuardedService guarded_;
   int port_ = 0;
+  std::string listen_;
   std::string address_;
   std::unique_ptr<grpc::Server> server_;
   std::optional<MetricsEndpoint> endpoint_;
+  HeapTrimmer heap_trimmer_;
 };
 
 }  // namespace dualarm

@@ -4,12 +4,12 @@
 
 #include <utility>
 
-#include "server/batch_call.h"
+#include "server/calls/batch_call.h"
+#include "server/calls/stream_call.h"
+#include "server/calls/unary_call.h"
 #include "server/errors.h"
 #include "server/request/requests.h"
 #include "server/response/responses.h"
-#include "server/stream_call.h"
-#include "server/unary_call.h"
 
 namespace dualarm {
 namespace {
@@ -26,7 +26,8 @@ std::string note_on(const wire::GetPhasePortraitResponse& response) {
 }  // namespace
 
 PlanningService::PlanningService(PlanningFunctions functions, WorkerPools& pools, const ServiceLimits& limits)
-    : planner_{std::move(functions), pools, limits.longest_planning, limits.search_memory, limits.request},
+    : planner_{std::move(functions), pools,  limits.longest_planning, limits.search_memory, limits.request,
+               limits.trial,         trials_},
       streams_(limits.streams),
       batch_in_flight_(limits.batch_in_flight),
       ticker_(kTick) {}

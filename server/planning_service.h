@@ -3,13 +3,13 @@
 #include <atomic>
 #include <chrono>
 
-#include "server/places.h"
+#include "server/calls/places.h"
+#include "server/calls/planning_task.h"
+#include "server/calls/ticker.h"
 #include "server/planning_functions.h"
 #include "server/planning_methods.h"
-#include "server/planning_task.h"
-#include "server/ticker.h"
+#include "server/pools/worker_pools.h"
 #include "server/wire.h"
-#include "server/worker_pools.h"
 
 namespace dualarm {
 
@@ -20,6 +20,7 @@ struct ServiceLimits {
   int streams = 0;                            ///< open at once, batches included
   int batch_in_flight = 0;                    ///< requests of one batch that are read and not answered
   RequestLimits request;
+  std::chrono::nanoseconds trial{};  ///< processor time for which gRPC's thread may try a plan
 };
 
 /// The RPCs of proto/dualarm/planning/v1/planning_service.proto. Each parses, has a worker compute, and renders; no
@@ -47,6 +48,7 @@ class PlanningService final : public PlanningMethods {
                                              wire::GetPhasePortraitResponse* response) override;
 
  private:
+  Places trials_{1};  // gRPC has two threads or more: one stays free for whoever only asks for health
   Planner planner_;
   Places streams_;
   int batch_in_flight_;

@@ -53,6 +53,9 @@ class ClearanceProof {
   /// stay.
   double free_from(int arm, double position) const;
 
+  /// What bounds its work, and that of whoever asks for it.
+  const Budget& budget() const { return *budget_; }
+
   /// The time (s) from which on no object moves by itself; minus infinity where none ever does.
   double settled_time() const { return settled_time_; }
 

@@ -52,7 +52,7 @@ Attempt::Attempt(const Systems& systems, const ClearanceProof& proof, const Join
 }
 
 bool Attempt::stretch(int arm, double duration) {
-  auto slower = stretched(*(*systems_)[arm], from_[arm], targets_[arm], duration);
+  auto slower = stretched(*(*systems_)[arm], from_[arm], targets_[arm], duration, proof_->budget());
   if (!slower) return false;
   tables_[arm].clear();
   for (const Profile& motion : *slower) tables_[arm].emplace_back(motion);

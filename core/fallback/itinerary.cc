@@ -1,6 +1,7 @@
 #include "core/fallback/itinerary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -11,6 +12,9 @@ namespace {
 /// Part of a duration by which arms in motion at their goals may arrive apart: knots that are meant to share a time
 /// have to (playback.h allows 1e-12).
 constexpr double kSameTime = 5e-13;
+
+/// rad: a step that is small for a robot, and of which a planner still sees that it is one.
+constexpr double kFirstStep = 1e-3;
 
 }  // namespace
 
@@ -151,6 +155,24 @@ bool Itinerary::delay(int arm, double by) {
     const JointState to = &profile == &slower->back() ? last->goal : profile.goal_state();
     legs.push_back({0.0, motion_along(arm, from, to, profile)});
   }
+  return true;
+}
+
+bool Itinerary::leave_by(int arm, double latest) {
+  auto& legs = legs_[arm];
+  if (legs.empty() || legs.front().wait <= latest) return true;
+  const double before = legs.front().wait + legs.front().duration();
+  const JointState from = start(arm, 0);
+  const double way = goal(arm, 0).position - from.position;
+  const bool has_stepped = legs.size() > 1 && std::abs(way) < 1.5 * kFirstStep;  // or as much, to rounding
+  if (!has_stepped) {
+    const double step = std::copysign(std::min(kFirstStep, 0.5 * std::abs(way)), way);
+    if (!insert_via(arm, 0, {from.position + step, 0.0})) return false;
+  }
+  if (!legs[1].motion->may_wait) return false;
+  const double after = latest + legs[0].duration() + (has_stepped ? 0.0 : legs[1].duration());
+  legs[0].wait = latest;
+  legs[1].wait = std::max(0.0, legs[1].wait + before - after);
   return true;
 }
 

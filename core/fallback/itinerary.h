@@ -35,6 +35,10 @@ class Itinerary {
   const Profile& profile(int arm, int leg) const { return legs_[arm][leg].motion->profile; }
   bool may_wait(int arm, int leg) const { return legs_[arm][leg].motion->may_wait; }
 
+  /// Where an arm is before its first leg, and the time (s) at which it has ended its last one.
+  JointState start_state(int arm) const { return start_[arm]; }
+  double arrival(int arm) const;
+
   /// Adds a motion to a state at a time (s), which where it begins in motion is when the one before ends; nothing where
   /// it leads nowhere.
   void append(int arm, double start_time, const Profile& profile, JointState goal);
@@ -69,6 +73,10 @@ class Itinerary {
   /// where they last rest or else by slowing down. False, and half done, where that cannot be.
   bool settle(double end);
 
+  /// Lets an arm that would first move later than `latest` (s) take a small step on its way then, and wait there.
+  /// False, and half done, where it cannot.
+  bool leave_by(int arm, double latest);
+
   std::array<Track, kArmCount> tracks() const;  ///< refers to this itinerary
   Schedule schedule() const;                    ///< one motion of no duration where an arm never moves
 
@@ -90,7 +98,6 @@ class Itinerary {
 
   std::shared_ptr<const Motion> motion_along(int arm, JointState from, JointState to, const Profile& profile) const;
   std::optional<Leg> leg_between(int arm, double wait, JointState from, JointState to) const;
-  double arrival(int arm) const;
   bool delay(int arm, double by);
 
   Systems systems_;

@@ -10,15 +10,9 @@ namespace {
 /// Relative gain in duration below which a change is not worth a proof.
 constexpr double kWorthwhileGain = 1e-5;
 
-/// Relative difference of durations that are the same.
-constexpr double kSameDuration = 1e-12;
-
 /// What a second of waiting between legs counts against a second of duration: a plan that waits less at no cost in
 /// duration is taken, because the other arm can often use the room.
 constexpr double kWaitWeight = 0.1;
-
-/// Halvings of the span between the shortest conceivable and the shortest proven duration of a changed plan.
-constexpr int kBisections = 6;
 
 /// How often a trial consists of one more change.
 constexpr double kAnotherChange = 0.3;
@@ -42,24 +36,17 @@ constexpr double kRestShare = 0.5;
 /// How often the other order of the arms is tried first.
 constexpr double kOtherLeaderChance = 0.1;
 
-/// rad/s: velocities drawn for arms without a limit.
-constexpr double kWidestVelocity = 10.0;
-
-double velocity_scale(const System& system) {
-  const Interval limits = system.velocity();
-  return std::min(kWidestVelocity, std::max(-limits.lower, limits.upper));
-}
-
 }  // namespace
 
-Refinement::Refinement(const Systems& systems, const ClearanceProof& proof, Itinerary first,
-                       const RefinementRules& rules, Random& random, const Budget& budget)
+Refinement::Refinement(const Systems& systems, const ClearanceProof& proof, Itinerary first, const PlanRules& rules,
+                       Random& random, const Budget& budget)
     : systems_(systems),
-      proof_(proof),
+      alignment_(proof, rules, budget),
+      has_movers_(proof.settled_time() > 0.0),
       best_(std::move(first)),
       duration_(best_.duration()),
       waits_(best_.waits_between()),
-      rules_(rules),
+      lower_bound_(rules.lower_bound),
       random_(random),
       budget_(budget) {}
 
@@ -71,9 +58,9 @@ void Refinement::run(int evaluation_limit, const std::function<void()>& on_bette
     told = duration_;
   };
   step(best_);
-  while (evaluations_ < evaluation_limit && duration_ > rules_.lower_bound * (1.0 + kWorthwhileGain) &&
+  while (evaluations() < evaluation_limit && duration_ > lower_bound_ * (1.0 + kWorthwhileGain) &&
          !budget_.exhausted()) {
-    ++evaluations_;
+    ++changes_;
     step(changed());
   }
 }
@@ -82,7 +69,7 @@ Itinerary Refinement::changed() {
   Itinerary candidate = best_;
   do {
     change_once(candidate);
-  } while (random_.chance(kAnotherChange));
+  } while (random_.chance(kAnotherChange) && !budget_.exhausted());
   return candidate;
 }
 
@@ -137,77 +124,31 @@ JointState Refinement::beside(int arm, JointState state) {
 
 void Refinement::consider(const Itinerary& candidate) {
   // One arm always begins at once, unless both have to wait for an object that moves by itself.
-  if (!improves_aligned(candidate) && proof_.settled_time() > 0.0) keep_if_faster(candidate);
+  if (!improves_aligned(candidate) && has_movers_) keep_if_faster(candidate);
 }
 
 void Refinement::keep_if_faster(Itinerary candidate) {
   const double duration = candidate.duration();
   if (duration >= duration_ * (1.0 - kWorthwhileGain)) return;
-  if (!proven_as_is(candidate, duration)) return;
-  best_ = std::move(candidate);
-  duration_ = best_.duration();
-  waits_ = best_.waits_between();
+  if (alignment_.proves_as_is(candidate, duration)) take(std::move(candidate));
 }
 
 bool Refinement::improves_aligned(const Itinerary& candidate) {
-  const double shortest = std::max(candidate.busy_time(0), candidate.busy_time(1));
   const double waits = candidate.waits_between();
-  double end = std::min(duration_, duration_ + kWaitWeight * (waits_ - waits) - kWorthwhileGain * duration_);
-  if (shortest >= end) return false;
-  int leader = random_.chance(kOtherLeaderChance) ? 1 - leader_ : leader_;
-  Itinerary shorter = candidate;
-  if (!proven(shorter, leader, end)) {
-    leader = 1 - leader;
-    shorter = candidate;
-    if (!proven(shorter, leader, end)) return false;
-  }
-  Itinerary trial = candidate;
-  if (proven(trial, leader, shortest)) {
-    shorter = std::move(trial);
-  } else {
-    double too_short = shortest;
-    for (int i = 0; i < kBisections && !budget_.exhausted(); ++i) {
-      const double middle = 0.5 * (too_short + end);
-      trial = candidate;
-      if (proven(trial, leader, middle)) {
-        end = middle;
-        shorter = std::move(trial);
-      } else {
-        too_short = middle;
-      }
-    }
-  }
-  best_ = std::move(shorter);
-  duration_ = best_.duration();
-  waits_ = best_.waits_between();
-  leader_ = leader;
+  const double end = std::min(duration_, duration_ + kWaitWeight * (waits_ - waits) - kWorthwhileGain * duration_);
+  if (std::max(candidate.busy_time(0), candidate.busy_time(1)) >= end) return false;
+  const int leader = random_.chance(kOtherLeaderChance) ? 1 - leader_ : leader_;
+  auto shorter = alignment_.shortest(candidate, leader, end);
+  if (!shorter) return false;
+  take(std::move(shorter->itinerary));
+  leader_ = shorter->leader;
   return true;
 }
 
-bool Refinement::proven(Itinerary& candidate, int leader, double end) {
-  candidate.align(leader, end);
-  return proven_as_is(candidate, end);
-}
-
-bool Refinement::proven_as_is(Itinerary& candidate, double end) {
-  ++evaluations_;
-  if (!candidate.settle(end) || candidate.duration() > end * (1.0 + kSameDuration)) return false;
-  for (int arm = 0; arm < kArmCount; ++arm) {
-    if (candidate.first_start(arm) > rules_.max_start_delay) return false;
-  }
-  return proven_free(candidate);
-}
-
-/// Most plans collide where others have just done so, and to see that takes a tenth of a proof.
-bool Refinement::proven_free(const Itinerary& candidate) {
-  const std::array<Track, kArmCount> tracks = candidate.tracks();
-  const double duration = candidate.duration();
-  for (const double time : collisions_) {
-    if (time < duration && proof_.collide_at(tracks, time)) return false;
-  }
-  const auto unproven = proof_.where_unproven(tracks, {0.0, duration});
-  if (unproven) collisions_[next_collision_++ % collisions_.size()] = *unproven;
-  return !unproven;
+void Refinement::take(Itinerary shorter) {
+  best_ = std::move(shorter);
+  duration_ = best_.duration();
+  waits_ = best_.waits_between();
 }
 
 }  // namespace dualarm

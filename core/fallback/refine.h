@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <functional>
-#include <limits>
 
+#include "core/fallback/alignment.h"
 #include "core/fallback/clearance_proof.h"
 #include "core/fallback/itinerary.h"
 #include "core/fallback/random.h"
@@ -12,19 +10,13 @@
 
 namespace dualarm {
 
-/// What a refinement has to keep to and where it may stop.
-struct RefinementRules {
-  double lower_bound = 0.0;                                          ///< s: no plan is shorter
-  double max_start_delay = std::numeric_limits<double>::infinity();  ///< s, when an arm first moves at the latest
-};
-
 /// Makes a plan shorter by trial: drops, moves and adds the states that legs lead through, at rest or in motion,
 /// changes waits, and lets one arm begin at once and the other end as early as can be proven. Every plan it takes is
 /// proven free and shorter than the one before, or no longer and with less waiting between legs.
 class Refinement {
  public:
   /// `first` is proven free. The other objects outlive it.
-  Refinement(const Systems& systems, const ClearanceProof& proof, Itinerary first, const RefinementRules& rules,
+  Refinement(const Systems& systems, const ClearanceProof& proof, Itinerary first, const PlanRules& rules,
              Random& random, const Budget& budget);
 
   /// Tries until `evaluation_limit` plans have been tried in all, the lower bound is reached or the budget is
@@ -32,8 +24,8 @@ class Refinement {
   void run(int evaluation_limit, const std::function<void()>& on_better = {});
 
   const Itinerary& best() const { return best_; }
-  double duration() const { return duration_; }     ///< s, of the best
-  int evaluations() const { return evaluations_; }  ///< changes made and proofs tried
+  double duration() const { return duration_; }                            ///< s, of the best
+  int evaluations() const { return changes_ + alignment_.evaluations(); }  ///< changes made and proofs tried
 
  private:
   Itinerary changed();
@@ -44,22 +36,19 @@ class Refinement {
   void consider(const Itinerary& candidate);
   bool improves_aligned(const Itinerary& candidate);
   void keep_if_faster(Itinerary candidate);
-  bool proven(Itinerary& candidate, int leader, double end);
-  bool proven_as_is(Itinerary& candidate, double end);
-  bool proven_free(const Itinerary& candidate);
+  void take(Itinerary shorter);
 
   const Systems& systems_;
-  const ClearanceProof& proof_;
+  Alignment alignment_;
+  bool has_movers_;  ///< objects that move by themselves
   Itinerary best_;
   double duration_;
   double waits_;
-  RefinementRules rules_;
+  double lower_bound_;
   Random& random_;
   const Budget& budget_;
   int leader_ = 0;  ///< who began first in the last plan that was taken
-  int evaluations_ = 0;
-  std::array<double, 4> collisions_ = {};  ///< s, of plans that were tried last: where the next one may collide, too
-  std::size_t next_collision_ = 0;
+  int changes_ = 0;
 };
 
 }  // namespace dualarm

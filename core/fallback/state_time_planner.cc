@@ -5,11 +5,15 @@
 #include <ompl/base/SpaceInformation.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <memory>
 
 #include "core/fallback/arrival_time.h"
+#include "core/fallback/fresh_plans.h"
 #include "core/fallback/itinerary.h"
+#include "core/fallback/known_plan.h"
 #include "core/fallback/motion_validator.h"
 #include "core/fallback/random.h"
 #include "core/fallback/refine.h"
@@ -28,9 +32,25 @@ constexpr int kPatience = 4;
 
 /// Trees that are grown from the start, each until it has a plan: their plans go different ways round. The parts of the
 /// evaluations that one of them, once there is a plan at all, and the shortening of what it found may take.
-constexpr int kTrees = 6;
+constexpr int kTrees = 4;
 constexpr double kTreeShare = 0.04;
-constexpr double kFirstRefinementShare = 0.06;
+constexpr double kFirstRefinementShare = 0.05;
+
+/// Simple plans that are drawn before any tree: the part of the evaluations that they may take, and how many are
+/// shortened.
+constexpr double kFreshShare = 0.08;
+constexpr std::size_t kFresh = 2;
+
+/// Afterwards plans that differ compete: how many of the best are shortened on, and the part of the evaluations that
+/// each may take. The best one has what is left.
+struct Round {
+  std::size_t contenders;
+  double share;
+};
+constexpr std::array<Round, 1> kRounds = {{{3, 0.05}}};
+
+/// Plans whose durations differ by no more than this part went the same way round, as a rule.
+constexpr double kSameGain = 1e-3;
 
 /// A later tree's plan may be this much longer than the best, which has been shortened, and be worth shortening.
 constexpr double kTolerated = 1.6;
@@ -68,6 +88,7 @@ class Search {
         proof_(problem, rules.clearance, budget),
         start_{problem.tasks[0].start, problem.tasks[1].start},
         goal_{problem.tasks[0].goal, problem.tasks[1].goal},
+        horizon_(horizon(systems, proof_.settled_time())),
         random_(problem.options.seed ^ kNextSeed) {
     for (int arm = 0; arm < kArmCount; ++arm) {
       if (goal_[arm].velocity == 0.0) arrivals_.earliest[arm] = proof_.free_from(arm, goal_[arm].position);
@@ -77,14 +98,18 @@ class Search {
   }
 
   SearchResult run() {
-    for (int tree = 0; (tree < kTrees || !best_) && !is_done(); ++tree) {
+    if (rules_.known) enter_known(*rules_.known);
+    enter_fresh();
+    for (int tree = 0; (tree < kTrees || !has_plan()) && !is_done(); ++tree) {
       const int before = result_.evaluation_count;
       auto found = grow(tree);
       if (!found && result_.evaluation_count == before) break;  // nothing starts here
-      if (!found) continue;
-      shorten(std::move(*found), share(kFirstRefinementShare));
+      if (found) enter(std::move(*found));
     }
-    if (best_ && !is_done()) shorten(*best_, left());
+    for (const Round& round : kRounds) {
+      for (Refinement* contender : best_contenders(round.contenders)) shorten(*contender, share(round.share));
+    }
+    if (!contenders_.empty()) shorten(*best_contenders(1).front(), left());
     if (best_) {
       result_.schedule = best_->schedule();
       result_.duration = best_->duration();
@@ -97,17 +122,86 @@ class Search {
   int share(double part) const { return static_cast<int>(part * rules_.evaluation_limit); }
   int left() const {
     const std::int64_t limit = rules_.evaluation_limit;
-    const std::int64_t all = best_ ? found_after_ + limit : kPatience * limit;
+    const std::int64_t all = has_plan() ? found_after_ + limit : kPatience * limit;
     return static_cast<int>(std::min<std::int64_t>(all - result_.evaluation_count, std::numeric_limits<int>::max()));
   }
-  bool is_done() const { return left() <= 0 || budget_.exhausted() || (best_ && best_->duration() <= least_); }
+  bool has_plan() const { return best_ || rules_.known; }
+  bool is_done() const { return left() <= 0 || budget_.exhausted() || (has_plan() && shortest() <= least_); }
+
+  /// s, of what was found and what was known before.
+  double shortest() const {
+    const double known = rules_.known ? rules_.known->duration : kInfinity;
+    return best_ ? std::min(best_->duration(), known) : known;
+  }
+
+  void enter_known(const KnownSchedule& known) {
+    const auto itinerary = proven_free(proof_, itinerary_of(systems_, start_, goal_, arrivals_, known.schedule),
+                                       problem_.options.max_start_delay);
+    if (itinerary) enter(*itinerary);
+  }
+
+  PlanRules plan_rules() const { return {least_, problem_.options.max_start_delay}; }
+
+  void enter_fresh() {
+    if (is_done() || proof_.slack(positions_of(start_)) <= 0.0) return;
+    FreshPlans fresh(systems_, proof_, Itinerary(systems_, start_, arrivals_), goal_, plan_rules(), random_, budget_);
+    fresh.run(share(kFreshShare), kTolerated * shortest());
+    count(fresh.evaluations());
+    for (Itinerary& plan : fresh.best(kFresh)) enter(std::move(plan));
+  }
+
+  /// Takes a plan that was found, or what becomes of it in some evaluations.
+  void enter(Itinerary plan) {
+    if (!has_plan()) {
+      result_.first_duration = plan.duration();
+      found_after_ = result_.evaluation_count;
+    }
+    contenders_.emplace_back(systems_, proof_, std::move(plan), plan_rules(), random_, budget_);
+    take(contenders_.back());
+    shorten(contenders_.back(), share(kFirstRefinementShare));
+  }
+
+  /// The fastest ones that differ, the fastest first.
+  std::vector<Refinement*> best_contenders(std::size_t count) {
+    std::vector<Refinement*> sorted;
+    for (Refinement& contender : contenders_) sorted.push_back(&contender);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Refinement* left, const Refinement* right) {
+      return left->duration() < right->duration();
+    });
+    const auto is_like = [](const Refinement* left, const Refinement* right) {
+      return right->duration() < left->duration() * (1.0 + kSameGain);
+    };
+    sorted.erase(std::unique(sorted.begin(), sorted.end(), is_like), sorted.end());
+    sorted.resize(std::min(sorted.size(), count));
+    return sorted;
+  }
+
+  void shorten(Refinement& contender, int evaluations) {
+    if (is_done()) return;
+    const int before = result_.evaluation_count;
+    const int own = contender.evaluations();
+    const auto told = [&] {
+      result_.evaluation_count = before + contender.evaluations() - own;
+      take(contender);
+    };
+    contender.run(own + std::min(evaluations, left()), told);
+    told();
+    count(0);
+  }
+
+  void take(const Refinement& contender) {
+    if (contender.duration() >= shortest()) return;
+    best_ = contender.best();
+    if (!rules_.on_incumbent || best_->duration() > told_ * (1.0 - kToldGain)) return;
+    told_ = best_->duration();
+    rules_.on_incumbent(best_->schedule(), told_);
+  }
 
   /// A tree from the start, and the plan that it finds.
   std::optional<Itinerary> grow(int tree) {
-    const auto space =
-        std::make_shared<StateTimeSpace>(systems_, horizon(systems_, proof_.settled_time()),
-                                         problem_.options.seed + static_cast<std::uint64_t>(tree) * kNextSeed,
-                                         proof_.settled_time(), std::array<JointStates, 2>{start_, goal_});
+    const auto space = std::make_shared<StateTimeSpace>(
+        systems_, horizon_, problem_.options.seed + static_cast<std::uint64_t>(tree) * kNextSeed, proof_.settled_time(),
+        std::array<JointStates, 2>{start_, goal_});
     const auto information = std::make_shared<ob::SpaceInformation>(space);
     information->setStateValidityChecker(std::make_shared<StateValidity>(information, proof_));
     information->setMotionValidator(std::make_shared<EdgeValidator>(information, proof_));
@@ -120,9 +214,9 @@ class Search {
     definition->setOptimizationObjective(std::make_shared<ArrivalTime>(information));
 
     TreeLimits limits;
-    limits.evaluations = std::min(left(), best_ ? share(kTreeShare) : rules_.evaluation_limit);
+    limits.evaluations = std::min(left(), has_plan() ? share(kTreeShare) : rules_.evaluation_limit);
     limits.nodes = std::max(1, static_cast<int>(rules_.memory_limit / TreePlanner::node_bytes(*information)));
-    if (best_) limits.incumbent = kTolerated * best_->duration();
+    if (has_plan()) limits.incumbent = kTolerated * shortest();
     limits.max_start_delay = problem_.options.max_start_delay;
     TreePlanner planner(information, limits);
     planner.setProblemDefinition(definition);
@@ -158,32 +252,6 @@ class Search {
     return itinerary;
   }
 
-  /// Takes a plan that was found, or what becomes of it in some evaluations, if it is the best.
-  void shorten(Itinerary plan, int evaluations) {
-    if (!best_) {
-      result_.first_duration = plan.duration();
-      found_after_ = result_.evaluation_count;
-    }
-    const int before = result_.evaluation_count;
-    Refinement refinement(systems_, proof_, std::move(plan), {least_, problem_.options.max_start_delay}, random_,
-                          budget_);
-    const auto take = [&] {
-      if (!best_ || refinement.duration() < best_->duration()) best_ = refinement.best();
-      result_.evaluation_count = before + refinement.evaluations();
-      tell();
-    };
-    take();
-    refinement.run(std::min(evaluations, left()), take);
-    take();
-    count(0);
-  }
-
-  void tell() {
-    if (!rules_.on_incumbent || best_->duration() > told_ * (1.0 - kToldGain)) return;
-    told_ = best_->duration();
-    rules_.on_incumbent(best_->schedule(), told_);
-  }
-
   void count(int evaluations) {
     result_.evaluation_count += evaluations;
     if (rules_.on_status) rules_.on_status(result_.evaluation_count);
@@ -196,11 +264,13 @@ class Search {
   ClearanceProof proof_;
   JointStates start_;
   JointStates goal_;
+  double horizon_;  ///< s
   Arrivals arrivals_;
   double least_ = 0.0;  ///< s, that no plan is below
   Random random_;
-  std::optional<Itinerary> best_;
-  int found_after_ = 0;  ///< evaluations, until there was a plan
+  std::deque<Refinement> contenders_;  ///< plans that go different ways round, each as short as it has become
+  std::optional<Itinerary> best_;      ///< faster than what was known
+  int found_after_ = 0;                ///< evaluations, until there was a plan
   double told_ = kInfinity;
   SearchResult result_;
 };

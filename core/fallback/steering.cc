@@ -1,7 +1,9 @@
 #include "core/fallback/steering.h"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -23,8 +25,24 @@ constexpr double kSameDuration = 2e-13;
 /// Where on the fastest motion, as shares of its time, a stretched one is slower.
 constexpr std::array<double, 3> kSlowPlaces = {0.5, 0.25, 0.75};
 
-/// Halvings of a share of a speed: as far as double precision goes.
-constexpr int kHalvings = 60;
+/// s: in place of infinity where a root is sought.
+constexpr double kNever = 1e9;
+
+/// Looks for the share of a speed that gives a duration, as far as double precision goes; a tenth of them is usual.
+constexpr std::uintmax_t kMostLooks = 100;
+
+/// Where in [0, 1] a falling function is 0, its values at both ends given.
+template <class Function>
+double crossing_of_zero(const Function& function, double at_0, double at_1, const Budget& budget) {
+  if (at_0 <= 0.0) return 0.0;
+  if (at_1 >= 0.0) return 1.0;
+  std::uintmax_t looks = kMostLooks;
+  const auto is_done = [&](double left, double right) {
+    return std::nextafter(left, right) >= right || budget.exhausted();
+  };
+  const auto [left, right] = boost::math::tools::toms748_solve(function, 0.0, 1.0, at_0, at_1, is_done, looks);
+  return right;
+}
 
 }  // namespace
 
@@ -56,7 +74,8 @@ std::optional<Profile> cut(const System& system, const Profile& motion, double t
   return std::nullopt;
 }
 
-std::optional<std::vector<Profile>> stretched(const System& system, JointState from, JointState to, double duration) {
+std::optional<std::vector<Profile>> stretched(const System& system, JointState from, JointState to, double duration,
+                                              const Budget& budget) {
   auto fastest = steer(system, from, to);
   if (!fastest) return std::nullopt;
   const double allowed = kSameDuration * duration;
@@ -66,17 +85,15 @@ std::optional<std::vector<Profile>> stretched(const System& system, JointState f
     const JointState passed = fastest->at(place * fastest->duration());
     const auto slower = [&](double share) { return JointState{passed.position, share * passed.velocity}; };
     const auto excess = [&](double share) {
-      return steering_time(system, from, slower(share)) + steering_time(system, slower(share), to) - duration;
+      const double taken = steering_time(system, from, slower(share)) + steering_time(system, slower(share), to);
+      return std::min(taken, kNever) - duration;
     };
-    double slow = 0.0;
-    double quick = 1.0;
-    if (!(excess(slow) >= 0.0)) continue;
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = 0.5 * (slow + quick);
-      (excess(middle) > 0.0 ? slow : quick) = middle;
-    }
-    auto before = steer(system, from, slower(quick));
-    auto after = steer(system, slower(quick), to);
+    const double slow = excess(0.0);
+    if (slow < 0.0) continue;
+    const double share = crossing_of_zero(excess, slow, excess(1.0), budget);
+    if (budget.exhausted()) return std::nullopt;
+    auto before = steer(system, from, slower(share));
+    auto after = steer(system, slower(share), to);
     if (!before || !after || std::abs(before->duration() + after->duration() - duration) > allowed) continue;
     return std::vector<Profile>{std::move(*before), std::move(*after)};
   }
@@ -99,6 +116,12 @@ double minimum_time(const Systems& systems, const JointStates& from, const Joint
     }
   }
   return bound;
+}
+
+double velocity_scale(const System& system) {
+  constexpr double kWidest = 10.0;  // rad/s, of arms without a limit
+  const Interval limits = system.velocity();
+  return std::min(kWidest, std::max(-limits.lower, limits.upper));
 }
 
 bool can_hold(const System& system, JointState state) {

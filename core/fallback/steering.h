@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/model/budget.h"
 #include "core/model/problem.h"
 #include "core/phase_plane/profile.h"
 #include "core/phase_plane/system.h"
@@ -39,8 +40,9 @@ std::optional<Profile> cut(const System& system, const Profile& motion, double t
 
 /// The fastest motion slowed down so that it takes `duration` (s) without standing still on the way: half way through
 /// it passes with less speed. One profile where nothing has to be slowed down, else two, the second beginning in the
-/// state in which the first ends. Nothing where the arm cannot be that slow, or that fast.
-std::optional<std::vector<Profile>> stretched(const System& system, JointState from, JointState to, double duration);
+/// state in which the first ends. Nothing where the arm cannot be that slow, or that fast, or the budget runs out.
+std::optional<std::vector<Profile>> stretched(const System& system, JointState from, JointState to, double duration,
+                                              const Budget& budget = Budget());
 
 /// Time (s) of both arms' steered motions, begun together: the slower arm's. Infinite where one of them has none.
 double steering_time(const Systems& systems, const JointStates& from, const JointStates& to);
@@ -48,6 +50,9 @@ double steering_time(const Systems& systems, const JointStates& from, const Join
 /// Lower bound (s) on the time that any motions of both arms take, swings included: the larger of what is proven for
 /// each arm. Infinite where it is proven that an arm has none.
 double minimum_time(const Systems& systems, const JointStates& from, const JointStates& to);
+
+/// rad/s: the larger of an arm's velocity limits, where it has one; for velocities that are drawn.
+double velocity_scale(const System& system);
 
 /// True if an arm can stay in a state: at rest inside its range, zero acceleration admissible.
 bool can_hold(const System& system, JointState state);

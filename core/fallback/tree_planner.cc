@@ -226,6 +226,7 @@ void TreePlanner::shoot_at_goal(const Node& from, double wait) {
     add_try(wait, 0.0);
   }
   for (JointPair waits : tries) {
+    if (proof().budget().exhausted()) return;
     const double end = std::max(arrival(waits, 0), arrival(waits, 1));
     std::optional<Attempt> slower;
     bool is_possible = true;

@@ -1,12 +1,10 @@
 #include "core/passage/bound.h"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 
-#include "core/passage/climb.h"
-#include "core/passage/obstacle.h"
+#include "core/passage/slowest_gate.h"
 
 namespace dualarm {
 namespace {
@@ -14,39 +12,20 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Slices across the fastest motions in which obstacles are looked for.
 constexpr int kSeedSlices = 17;
-/// Parts into which candidates for gates divide an obstacle's extent.
-constexpr int kSpread = 10;
 /// Obstacles that are looked at.
 constexpr std::size_t kMostObstacles = 8;
-/// Bits of the position to which the slowest gate is found, and steps of that search.
-constexpr int kGateBits = 26;
-constexpr std::uintmax_t kMostSteps = 50;
-/// Part of a duration that is worth looking for a better gate.
-constexpr double kHurried = 1e-9;
-/// Climbs along an obstacle's border, rad and parts of a duration: no body moves by a part of the planning margin in so
-/// little. The first step of one that begins at the slowest gate of a set that is a margin wider.
-constexpr ClimbRules kClimb = {1e-2, 2e-9, 1e-10};
-constexpr ClimbRules kRefine = {3e-4, 2e-9, 1e-10};
-constexpr ClimbRules kClimbNearBy = {1e-5, 1e-8, 1e-9};
-/// rad: how far apart two slices tell the slope of a border.
-constexpr double kBorderStep = 1e-8;
 
-struct Candidate {
-  Gate gate;
-  GateEstimate estimate;
-};
-
-Gate gate_on(const Slice& slice, bool runs_up) {
-  return {slice.pinned_arm, slice.position, runs_up ? slice.forbidden.upper : slice.forbidden.lower, runs_up};
+/// Adds the obstacle that a slice belongs to, if it is not known yet.
+void add_obstacle(std::vector<Obstacle>& obstacles, const ForbiddenPlane& plane, const Travellers& travellers,
+                  const Slice& slice, const Budget& budget) {
+  const auto knows = [&](Obstacle& obstacle) { return obstacle.side_of(slice, true).has_value(); };
+  if (std::any_of(obstacles.begin(), obstacles.end(), knows)) return;
+  obstacles.emplace_back(plane, std::array{travellers[0].start.position, travellers[1].start.position},
+                         std::array{travellers[0].goal.position, travellers[1].goal.position}, slice, budget);
 }
 
-/// Whether the other arm can be beyond the corner at all.
-bool leads_on(const ForbiddenPlane& plane, const Gate& gate) {
-  const Interval range = plane.range(1 - gate.pinned_arm);
-  return gate.runs_up ? gate.corner_position < range.upper : gate.corner_position > range.lower;
-}
-
-std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travellers& travellers) {
+std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travellers& travellers,
+                                       const Budget& budget) {
   std::vector<Obstacle> obstacles;
   const Interval first = travellers[0].fastest.extent();
   const Interval second = travellers[1].fastest.extent();
@@ -54,188 +33,30 @@ std::vector<Obstacle> obstacles_on_way(const ForbiddenPlane& plane, const Travel
     const double position = first.lower + first.length() * i / (kSeedSlices - 1);
     for (const Interval& stretch : plane.slice(0, position).intervals()) {
       if (stretch.upper < second.lower || stretch.lower > second.upper) continue;
-      const Slice slice = {0, position, stretch};
-      const auto knows = [&](Obstacle& obstacle) { return obstacle.side_of(slice, true).has_value(); };
-      if (std::any_of(obstacles.begin(), obstacles.end(), knows)) continue;
-      obstacles.emplace_back(plane, std::array{travellers[0].start.position, travellers[1].start.position},
-                             std::array{travellers[0].goal.position, travellers[1].goal.position}, slice);
+      if (budget.exhausted()) return obstacles;
+      add_obstacle(obstacles, plane, travellers, {0, position, stretch}, budget);
     }
   }
   return obstacles;
 }
 
-/// Seeks the slowest gate of one side of one obstacle.
-class SideSearch {
- public:
-  SideSearch(const ForbiddenPlane& plane, const Travellers& travellers, Obstacle& obstacle, int side,
-             const Budget& budget)
-      : plane_(plane), travellers_(travellers), obstacle_(obstacle), side_(side), budget_(budget) {}
-
-  /// Nothing if no gate of that side is known. Begins at the slowest gate of a set like this one, if there is one of
-  /// this side near by.
-  std::optional<Way> run(const std::vector<Way>& near_by) {
-    for (const Way& way : near_by) {
-      for (const Gate& gate : gates_at(way.gate, way.gate.pinned_position)) consider(gate, &way.bound);
-    }
-    if (best_) {
-      refine(plane_.range(best_->gate.pinned_arm), kClimbNearBy);
-      return best_;
-    }
-    const std::vector<Candidate> candidates = all_candidates();
-    if (candidates.empty()) return std::nullopt;
-    consider(most_crossing(candidates), nullptr);
-    refine_if_hurried(candidates);
-    const double refined = best_->bound.duration;
-    for (const Candidate& candidate : candidates) {
-      if (candidate.estimate.duration <= best_->bound.duration || budget_.exhausted()) break;
-      const GateBound slowest = best_->bound;
-      consider(candidate.gate, &slowest, slowest.duration);
-    }
-    if (best_->bound.duration > refined) refine_if_hurried(candidates);
-    return best_;
-  }
-
- private:
-  /// Gates at the slices that are known and at positions spread over the obstacle, the slowest by estimate first.
-  std::vector<Candidate> all_candidates() {
-    std::vector<Slice> slices = obstacle_.slices();
-    for (int arm = 0; arm < kArmCount; ++arm) {
-      const Interval extent = obstacle_.extent(arm);
-      for (int i = 1; i < kSpread; ++i) {
-        const double position = extent.lower + extent.length() * i / kSpread;
-        for (const Interval& stretch : plane_.slice(arm, position).intervals()) {
-          slices.push_back({arm, position, stretch});
-        }
-      }
-    }
-    std::vector<Candidate> candidates;
-    for (const Slice& slice : slices) {
-      for (const bool runs_up : {false, true}) {
-        const Gate gate = gate_on(slice, runs_up);
-        if (!leads_on(plane_, gate) || obstacle_.side_of(slice, runs_up) != side_) continue;
-        candidates.push_back({gate, gate_estimate(travellers_, gate)});
-      }
-    }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.estimate.duration > b.estimate.duration; });
-    return candidates;
-  }
-
-  /// A gate of which nothing counts but a bound beyond `floor` (s) costs less.
-  GateBound consider(const Gate& gate, const GateBound* near_by, double floor = 0.0) {
-    const GateBound bound = gate_bound(travellers_, gate, near_by, floor);
-    if (!best_ || bound.duration > best_->bound.duration) best_ = Way{gate, bound};
-    return bound;
-  }
-
-  /// The gate at which unhurried motions meet the obstacle most.
-  Gate most_crossing(const std::vector<Candidate>& candidates) {
-    Candidate most = *std::max_element(
-        candidates.begin(), candidates.end(),
-        [](const Candidate& a, const Candidate& b) { return a.estimate.crossing < b.estimate.crossing; });
-    const Gate like = most.gate;
-    const auto crossing_at = [&](double position) {
-      std::optional<Rated> found;
-      for (const Gate& gate : gates_at(like, position)) {
-        const GateEstimate estimate = gate_estimate(travellers_, gate);
-        if (estimate.crossing > most.estimate.crossing) most = {gate, estimate};
-        if (found && estimate.crossing <= found->value) continue;
-        const double slope = slope_at(gate, estimate.early_arm, estimate.early, estimate.late);
-        found = {position, estimate.crossing, slope};
-      }
-      return found;
+/// The obstacles that known ways lead around.
+std::vector<Obstacle> obstacles_at(const std::vector<Way>& ways, const ForbiddenPlane& plane,
+                                   const Travellers& travellers, const Budget& budget) {
+  std::vector<Obstacle> obstacles;
+  for (const Way& way : ways) {
+    const Gate& gate = way.gate;
+    std::optional<Interval> nearest;
+    const auto away = [&](const Interval& stretch) {
+      return std::abs((gate.runs_up ? stretch.upper : stretch.lower) - gate.corner_position);
     };
-    seek(crossing_at, neighbourhood(candidates, like), crossing_at(like.pinned_position), kClimb);
-    return most.gate;
-  }
-
-  void refine_if_hurried(const std::vector<Candidate>& candidates) {
-    const double unhurried = gate_estimate(travellers_, best_->gate).duration;
-    if (best_->bound.duration >= unhurried * (1.0 - kHurried)) return;
-    refine(neighbourhood(candidates, best_->gate), kRefine);
-  }
-
-  /// As to the bound itself: it may be largest a little beside where unhurried motions meet.
-  void refine(Interval bracket, const ClimbRules& rules) {
-    const Gate like = best_->gate;
-    GateBound last = best_->bound;
-    const auto bound_at = [&](double position) {
-      std::optional<Rated> found;
-      for (const Gate& gate : gates_at(like, position)) {
-        const GateBound bound = consider(gate, &last);
-        if (found && bound.duration <= found->value) continue;
-        last = bound;
-        found = rated({gate, bound});
-      }
-      return found;
-    };
-    seek(bound_at, bracket, rated(*best_), rules);
-  }
-
-  Rated rated(const Way& way) const {
-    const GateBound& bound = way.bound;
-    const double slope = bound.price * slope_at(way.gate, bound.early_arm, bound.early, bound.late);
-    return {way.gate.pinned_position, bound.duration, bound.price > 0.0 ? slope : kInfinity};
-  }
-
-  /// How fast the time to a gate and on from it grows along the border.
-  double slope_at(const Gate& gate, int early_arm, const Passing& early, const Passing& late) const {
-    for (const double step : {kBorderStep, -kBorderStep}) {
-      double nearest = kInfinity;
-      for (const Interval& stretch : plane_.slice(gate.pinned_arm, gate.pinned_position + step).intervals()) {
-        const double corner = gate.runs_up ? stretch.upper : stretch.lower;
-        if (std::abs(corner - gate.corner_position) < std::abs(nearest)) nearest = corner - gate.corner_position;
-      }
-      if (std::isfinite(nearest)) return crossing_slope(gate, nearest / step, early_arm, early, late);
+    for (const Interval& stretch : plane.slice(gate.pinned_arm, gate.pinned_position).intervals()) {
+      if (!nearest || away(stretch) < away(*nearest)) nearest = stretch;
     }
-    return kInfinity;
+    if (nearest) add_obstacle(obstacles, plane, travellers, {gate.pinned_arm, gate.pinned_position, *nearest}, budget);
   }
-
-  /// From one neighbour of a gate that runs the same way to the other.
-  Interval neighbourhood(const std::vector<Candidate>& candidates, const Gate& gate) const {
-    Interval bracket = plane_.range(gate.pinned_arm);
-    for (const Candidate& candidate : candidates) {
-      if (candidate.gate.pinned_arm != gate.pinned_arm || candidate.gate.runs_up != gate.runs_up) continue;
-      const double position = candidate.gate.pinned_position;
-      if (position < gate.pinned_position) bracket.lower = std::max(bracket.lower, position);
-      if (position > gate.pinned_position) bracket.upper = std::min(bracket.upper, position);
-    }
-    return bracket;
-  }
-
-  /// By slopes; by values, where there are none.
-  template <class Rate>
-  void seek(const Rate& rate, Interval bracket, const std::optional<Rated>& from, const ClimbRules& rules) const {
-    const auto rate_in_time = [&](double position) {
-      return budget_.exhausted() ? std::optional<Rated>() : rate(position);
-    };
-    if (climb(rate_in_time, bracket, from, rules) || &rules == &kClimbNearBy) return;
-    std::uintmax_t steps = kMostSteps;
-    const auto fall = [&](double position) {
-      const std::optional<Rated> rated = rate_in_time(position);
-      return rated ? -rated->value : 0.0;
-    };
-    boost::math::tools::brent_find_minima(fall, bracket.lower, bracket.upper, kGateBits, steps);
-  }
-
-  /// The gates of this side that run like `gate` from a position.
-  std::vector<Gate> gates_at(const Gate& gate, double position) {
-    std::vector<Gate> gates;
-    for (const Interval& stretch : plane_.slice(gate.pinned_arm, position).intervals()) {
-      const Slice slice = {gate.pinned_arm, position, stretch};
-      const Gate there = gate_on(slice, gate.runs_up);
-      if (leads_on(plane_, there) && obstacle_.side_of(slice, gate.runs_up) == side_) gates.push_back(there);
-    }
-    return gates;
-  }
-
-  const ForbiddenPlane& plane_;
-  const Travellers& travellers_;
-  Obstacle& obstacle_;
-  int side_;
-  const Budget& budget_;
-  std::optional<Way> best_;
-};
+  return obstacles;
+}
 
 /// The ways around one obstacle and the bound of the faster one.
 PassageBound bound_of(const ForbiddenPlane& plane, const Travellers& travellers, Obstacle& obstacle,
@@ -243,7 +64,7 @@ PassageBound bound_of(const ForbiddenPlane& plane, const Travellers& travellers,
   PassageBound bound = {kInfinity, {}, true};
   for (const int side : {0, 1}) {
     if (obstacle.is_closed(side)) continue;
-    const auto way = SideSearch(plane, travellers, obstacle, side, budget).run(near_by);
+    const auto way = slowest_gate(plane, travellers, obstacle, side, near_by, budget);
     bound.duration = std::min(bound.duration, way ? way->bound.duration : 0.0);
     if (way) bound.ways.push_back(*way);
   }
@@ -257,7 +78,9 @@ PassageBound bound_of(const ForbiddenPlane& plane, const Travellers& travellers,
 PassageBound passage_bound(const ForbiddenPlane& plane, const Travellers& travellers, const Budget& budget,
                            const std::vector<Way>& near_by) {
   PassageBound best;
-  for (Obstacle& obstacle : obstacles_on_way(plane, travellers)) {
+  std::vector<Obstacle> obstacles = obstacles_at(near_by, plane, travellers, budget);
+  if (obstacles.empty()) obstacles = obstacles_on_way(plane, travellers, budget);
+  for (Obstacle& obstacle : obstacles) {
     if (budget.exhausted()) break;
     PassageBound bound = bound_of(plane, travellers, obstacle, near_by, budget);
     if (bound.duration > best.duration || best.ways.empty()) best = std::move(bound);

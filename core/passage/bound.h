@@ -1,19 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/model/budget.h"
-#include "core/passage/forbidden_plane.h"
-#include "core/passage/gate_bound.h"
+#include "core/passage/slowest_gate.h"
 
 namespace dualarm {
-
-/// One way around an obstacle: the gate on it that takes longest to get through.
-struct Way {
-  Gate gate;
-  GateBound bound;
-};
 
 /// What all plans that keep out of a forbidden set need at least.
 struct PassageBound {

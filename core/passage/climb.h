@@ -19,6 +19,7 @@ struct ClimbRules {
   double first_step = 0.0;  ///< of a climb from a point inside, in units of the position
   double same = 0.0;        ///< positions this close are one
   double part = 0.0;        ///< part of the value that is not worth a step
+  double least = 0.0;       ///< value that is not worth a step either
 };
 
 /// A bracket of a maximum, with what is known at its ends.
@@ -59,7 +60,8 @@ bool climb(const Rate& rate, Interval bracket, const std::optional<Rated>& from,
     }
     const double before = climb.bracket.length();
     const bool is_closed = climb.left && climb.right;
-    if (before <= rules.same || (is_closed && climb.promised() <= rules.part * climb.left->value)) return true;
+    if (before <= rules.same || (is_closed && climb.promised() <= rules.part * climb.left->value + rules.least))
+      return true;
     const double position = climb.next(step, at_tangents, rules.same);
     now = rate(position);
     if (!now) (climb.left ? climb.bracket.upper : climb.bracket.lower) = position;

@@ -14,4 +14,9 @@ struct Gate {
   bool runs_up = true;           ///< from the corner towards larger positions
 };
 
+/// Where an arm is in the gate's corner, rad.
+inline double position_of(const Gate& gate, int arm) {
+  return arm == gate.pinned_arm ? gate.pinned_position : gate.corner_position;
+}
+
 }  // namespace dualarm

@@ -88,11 +88,11 @@ double inside(double share, double from) {
 /// Where both arms take the whole duration and meet in the gate: the first halves and the second halves take equally
 /// long. By secants in both shares; nothing where that does not lead to shares between 0 and 1.
 std::optional<GateBound> meeting(const Through& early, const Through& late, int early_arm, const GateBound* near_by,
-                                 double floor) {
+                                 double floor, const Budget& budget) {
   Walker one(early, near_by != nullptr ? &near_by->early_haste : nullptr);
   Walker other(late, near_by != nullptr ? &near_by->late_haste : nullptr);
   int strayed = 0;
-  for (int i = 0; i < kMostSecants; ++i) {
+  for (int i = 0; i < kMostSecants && !budget.exhausted(); ++i) {
     const double duration = one.passing().before + other.passing().after;
     const double first_halves = other.passing().before - one.passing().before;
     const double second_halves = one.passing().after - other.passing().after;
@@ -118,11 +118,12 @@ std::optional<GateBound> meeting(const Through& early, const Through& late, int 
 }
 
 /// Where one arm takes the whole duration and the other one, whose half cannot be hurried more, takes less.
-std::optional<GateBound> meeting_with_most(const Through& hurrying, const Passing& most, int early_arm) {
+std::optional<GateBound> meeting_with_most(const Through& hurrying, const Passing& most, int early_arm,
+                                           const Budget& budget) {
   if (!std::isfinite(most.duration())) return std::nullopt;
   Walker walker(hurrying, nullptr);
   int strayed = 0;
-  for (int i = 0; i < kMostSecants; ++i) {
+  for (int i = 0; i < kMostSecants && !budget.exhausted(); ++i) {
     const Passing& passing = walker.passing();
     const double missing = hurrying.is_early() ? passing.after - most.after : passing.before - most.before;
     const double duration = passing.duration() - missing;
@@ -142,7 +143,7 @@ std::optional<GateBound> meeting_with_most(const Through& hurrying, const Passin
 
 /// Least duration with which one arm arrives in time for the other to leave.
 GateBound least_duration(const Through& early, const Through& late, int early_arm, const GateBound* near_by,
-                         double floor) {
+                         double floor, const Budget& budget) {
   const auto bound = [&](double duration, const Passing& one, const Passing& other) {
     return GateBound{duration, early_arm, one, other, 0.0, {}, {}};
   };
@@ -153,7 +154,7 @@ GateBound least_duration(const Through& early, const Through& late, int early_ar
   const bool knows = near_by != nullptr && near_by->price > 0.0 && near_by->early_arm == early_arm;
   const bool both_hurry = !knows || std::max(near_by->early_haste.share, near_by->late_haste.share) < 1.0;
   std::optional<GateBound> met;
-  if (both_hurry) met = meeting(early, late, early_arm, knows ? near_by : nullptr, floor);
+  if (both_hurry) met = meeting(early, late, early_arm, knows ? near_by : nullptr, floor, budget);
   if (met && met->duration > longer && met->duration < unhurried) return *met;
   const Passing early_most = early.most();
   const Passing late_most = late.most();
@@ -163,34 +164,31 @@ GateBound least_duration(const Through& early, const Through& late, int early_ar
     const double price = hurried >= longer ? 1.0 : 0.0;
     return {least, early_arm, early_most, late_most, price, {1.0}, {1.0}};
   }
-  met = meeting_with_most(early, late_most, early_arm);
-  if (!met) met = meeting_with_most(late, early_most, early_arm);
+  met = meeting_with_most(early, late_most, early_arm, budget);
+  if (!met) met = meeting_with_most(late, early_most, early_arm, budget);
   if (met && met->duration > least && met->duration < unhurried) return *met;
   const auto excess = [&](double duration) {
-    return duration - early.within(duration).before - late.within(duration).after;
+    return duration - early.within(duration, budget).before - late.within(duration, budget).after;
   };
   const double at_least = excess(least);
-  if (at_least >= -kDurationTolerance * least) return bound(least, early.within(least), late.within(least));
+  if (at_least >= -kDurationTolerance * least)
+    return bound(least, early.within(least, budget), late.within(least, budget));
   std::uintmax_t steps = kMostSteps;
   const auto [below, above] = boost::math::tools::toms748_solve(
       excess, least, unhurried, at_least, std::max(0.0, excess(unhurried)),
-      [](double low, double high) { return high - low < kDurationTolerance * high; }, steps);
-  return bound(below, early.within(above), late.within(above));
+      [&](double low, double high) { return high - low < kDurationTolerance * high || budget.exhausted(); }, steps);
+  return bound(below, early.within(above, budget), late.within(above, budget));
 }
 
-/// An arm that goes first and one that goes second, at the positions of a gate.
-struct Order {
-  int early_arm = 0;
-  double early_at = 0.0;  ///< rad
-  double late_at = 0.0;   ///< rad
-};
+GateEstimate unhurried(const Travellers& travellers, const Order& order) {
+  const Passing one = fastest_passing(travellers[order.early_arm], order.early_at, Hurry::kEarlyArrival);
+  const Passing other = fastest_passing(travellers[1 - order.early_arm], order.late_at, Hurry::kLateDeparture);
+  const double crossing = one.before + other.after;
+  return {std::max({one.duration(), other.duration(), crossing}), crossing, order.early_arm, one, other};
+}
 
-struct Orders {
-  std::array<Order, 2> orders;
-  int count = 0;
-};
+}  // namespace
 
-/// The orders in which a gate binds: an arm that ends beyond the corner need not come back before the other passes.
 Orders orders_of(const Travellers& travellers, const Gate& gate) {
   const int pinned = gate.pinned_arm;
   const int other = 1 - pinned;
@@ -204,16 +202,8 @@ Orders orders_of(const Travellers& travellers, const Gate& gate) {
   return orders;
 }
 
-GateEstimate unhurried(const Travellers& travellers, const Order& order) {
-  const Passing one = fastest_passing(travellers[order.early_arm], order.early_at, Hurry::kEarlyArrival);
-  const Passing other = fastest_passing(travellers[1 - order.early_arm], order.late_at, Hurry::kLateDeparture);
-  const double crossing = one.before + other.after;
-  return {std::max({one.duration(), other.duration(), crossing}), crossing, order.early_arm, one, other};
-}
-
-}  // namespace
-
-GateBound gate_bound(const Travellers& travellers, const Gate& gate, const GateBound* near_by, double floor) {
+GateBound gate_bound(const Travellers& travellers, const Gate& gate, const GateBound* near_by, double floor,
+                     const Budget& budget) {
   GateBound bound;
   bound.duration = travellers[1 - gate.pinned_arm].fastest.duration();
   const auto [orders, count] = orders_of(travellers, gate);
@@ -234,7 +224,7 @@ GateBound gate_bound(const Travellers& travellers, const Gate& gate, const GateB
     const GateBound found = least_duration(
         Through(travellers[order.early_arm], order.early_at, Hurry::kEarlyArrival, estimates[which].early),
         Through(travellers[1 - order.early_arm], order.late_at, Hurry::kLateDeparture, estimates[which].late),
-        order.early_arm, near_by, floor);
+        order.early_arm, near_by, floor, budget);
     if (i == 0 || found.duration > bound.duration) bound = found;
   }
   return bound;

@@ -27,11 +27,28 @@ struct GateBound {
   Haste late_haste;
 };
 
+/// An arm that goes first and one that goes second, at the positions of a gate.
+struct Order {
+  int early_arm = 0;      ///< index
+  double early_at = 0.0;  ///< rad
+  double late_at = 0.0;   ///< rad
+};
+
+/// The orders in which a gate binds, none to two: an arm that ends beyond the corner need not come back before the
+/// other passes.
+struct Orders {
+  std::array<Order, 2> orders;
+  int count = 0;
+};
+
+Orders orders_of(const Travellers& travellers, const Gate& gate);
+
 /// T_bound(gate) = min { T : both arms can be at the gate at one time, and start and end within T }. The bound of a
 /// gate near by, if given, saves work; so does a `floor` (s): where the bound is no larger, what is answered is no
-/// larger either, and says no more. Theory, section 4.
+/// larger either, and says no more. When the budget runs out, what is answered is smaller than the bound. Theory,
+/// section 4.
 GateBound gate_bound(const Travellers& travellers, const Gate& gate, const GateBound* near_by = nullptr,
-                     double floor = 0.0);
+                     double floor = 0.0, const Budget& budget = Budget());
 
 /// What a gate takes if nothing is hurried, at much less cost.
 struct GateEstimate {

@@ -20,13 +20,13 @@ constexpr double kLeastProgress = 1e-2;
 }  // namespace
 
 Obstacle::Obstacle(const ForbiddenPlane& plane, std::array<double, kArmCount> start, std::array<double, kArmCount> goal,
-                   const Slice& seed)
+                   const Slice& seed, const Budget& budget)
     : plane_(&plane), start_{start[0], start[1]}, goal_{goal[0], goal[1]} {
   const Piece first = {seed, seed.forbidden.lower, false};
   pieces_.push_back(first);
   note_contacts(first);
   for (const double first_sign : {-1.0, 1.0}) {
-    for (const double second_sign : {-1.0, 1.0}) walk(first, first_sign, second_sign);
+    for (const double second_sign : {-1.0, 1.0}) walk(first, first_sign, second_sign, budget);
   }
 }
 
@@ -60,8 +60,8 @@ void Obstacle::note_contacts(const Piece& piece) {
 }
 
 /// A staircase of slices, in turn of either arm, towards one corner of the plane.
-void Obstacle::walk(Piece from, double first_sign, double second_sign) {
-  for (int i = 0; i < kMostSteps; ++i) {
+void Obstacle::walk(Piece from, double first_sign, double second_sign, const Budget& budget) {
+  for (int i = 0; i < kMostSteps && !budget.exhausted(); ++i) {
     const Interval& stretch = from.slice.forbidden;
     const int other = 1 - from.slice.pinned_arm;
     const double sign = other == 0 ? first_sign : second_sign;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/model/budget.h"
 #include "core/passage/forbidden_plane.h"
 #include "core/passage/gate.h"
 
@@ -17,9 +18,10 @@ namespace dualarm {
 /// touches the border of the joint rectangle, motions cannot pass on that ray at all. Theory, section 4.
 class Obstacle {
  public:
-  /// Around a forbidden slice. `start` and `goal` (rad) are the positions of both arms. Refers to the plane.
+  /// Around a forbidden slice. `start` and `goal` (rad) are the positions of both arms. Refers to the plane. When the
+  /// budget runs out, less of the obstacle is known.
   Obstacle(const ForbiddenPlane& plane, std::array<double, kArmCount> start, std::array<double, kArmCount> goal,
-           const Slice& seed);
+           const Slice& seed, const Budget& budget = Budget());
 
   /// The side (0 or 1) of a ray that begins in an end of `slice`, if the slice is proven to belong to the obstacle.
   /// What was walked to prove it is remembered.
@@ -47,7 +49,7 @@ class Obstacle {
     bool parity = false;
   };
 
-  void walk(Piece from, double first_sign, double second_sign);
+  void walk(Piece from, double first_sign, double second_sign, const Budget& budget);
   std::optional<Piece> joined(const Slice& slice) const;
   std::optional<Piece> walked(const Slice& slice);
   bool parity_at(const Piece& piece, double position) const;

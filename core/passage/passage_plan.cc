@@ -6,6 +6,7 @@
 
 #include "core/coordination/diagram.h"
 #include "core/passage/detour.h"
+#include "core/passage/extremal_pair.h"
 #include "core/passage/sampled_delays.h"
 
 namespace dualarm {
@@ -48,10 +49,6 @@ StartTimes snapped(StartTimes times, const Profile& first, const Profile& second
   return times;
 }
 
-double position(const Gate& gate, int arm) {
-  return arm == gate.pinned_arm ? gate.pinned_position : gate.corner_position;
-}
-
 /// The best start times with delays that are free of `forbidden` ones.
 std::optional<StartTimes> best_times(const Profile& first, const Profile& second, const IntervalSet& forbidden,
                                      double max_delay) {
@@ -69,10 +66,10 @@ class PairSearch {
              double max_delay, const Budget& budget)
       : forbidden_(forbidden),
         early_arm_(way.bound.early_arm),
-        early_(travellers[early_arm_], position(way.gate, early_arm_), Hurry::kEarlyArrival),
-        late_(travellers[1 - early_arm_], position(way.gate, 1 - early_arm_), Hurry::kLateDeparture),
-        early_detours_(travellers[early_arm_], position(way.gate, early_arm_), Hurry::kEarlyArrival),
-        late_detours_(travellers[1 - early_arm_], position(way.gate, 1 - early_arm_), Hurry::kLateDeparture),
+        early_(travellers[early_arm_], position_of(way.gate, early_arm_), Hurry::kEarlyArrival),
+        late_(travellers[1 - early_arm_], position_of(way.gate, 1 - early_arm_), Hurry::kLateDeparture),
+        early_detours_(travellers[early_arm_], position_of(way.gate, early_arm_), Hurry::kEarlyArrival),
+        late_detours_(travellers[1 - early_arm_], position_of(way.gate, 1 - early_arm_), Hurry::kLateDeparture),
         least_(std::max(least, way.bound.duration)),
         duration_(known),
         max_delay_(max_delay),
@@ -204,21 +201,17 @@ class PairSearch {
 }  // namespace
 
 std::optional<PassagePlan> extremal_plan(const Travellers& travellers, const Way& way, double least, double max_delay) {
-  const int early_arm = way.bound.early_arm;
   const double duration = std::max(least, way.bound.duration);
-  const Through early(travellers[early_arm], position(way.gate, early_arm), Hurry::kEarlyArrival);
-  const Through late(travellers[1 - early_arm], position(way.gate, 1 - early_arm), Hurry::kLateDeparture);
-  if (!early.exists() || !late.exists()) return std::nullopt;
-  const bool is_known = duration == way.bound.duration;
-  const auto one = early.motion(is_known ? way.bound.early : early.within(duration));
-  const auto other = late.motion(is_known ? way.bound.late : late.within(duration));
-  if (!one || !other) return std::nullopt;
-  const Profile& first = early_arm == 0 ? *one : *other;
-  const Profile& second = early_arm == 0 ? *other : *one;
+  const bool is_known = way.pair && way.pair->duration == duration;
+  const auto pair = is_known ? way.pair : extremal_pair(travellers, way.gate, way.bound, duration);
+  if (!pair) return std::nullopt;
+  const int early_arm = pair->early_arm;
+  const Profile& first = early_arm == 0 ? pair->early : pair->late;
+  const Profile& second = early_arm == 0 ? pair->late : pair->early;
   const Timing first_timing = timing_of(first);
   const Timing second_timing = timing_of(second);
   const Interval possible = possible_delays(first_timing, second_timing);
-  const double wait = duration - other->duration();
+  const double wait = pair->wait();
   const double wanted = early_arm == 0 ? wait : -wait;
   const double delay = std::min(std::max(wanted, possible.lower), possible.upper);
   if (std::abs(delay - wanted) > kSameTime) return std::nullopt;

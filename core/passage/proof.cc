@@ -34,6 +34,7 @@ PassageProof proof_of(const PassageBound& bound, const Problem& problem) {
   double complete = bound.duration;
   for (int i = 0; i < kArmCount; ++i) {
     Arm arm = loaded_arm(problem, i);
+    if (complete_until(arm) >= bound.duration) continue;  // in a part of the range it is later still
     arm.joint_range = reachable(arm, problem.tasks[i], bound.duration);
     complete = std::min(complete, complete_until(arm));
   }
@@ -54,7 +55,8 @@ PassageProof passage_proof(const Problem& problem, double clearance, double long
   for (int i = 0; i < kArmCount; ++i) {
     const auto motion = fastest_motion(systems[i], problem.tasks[i].start, problem.tasks[i].goal, Swings::kSkip);
     if (std::holds_alternative<Blocked>(motion)) return {};
-    fastest.push_back(std::get<FastestMotion>(motion).profile.asked_often());
+    const Profile& profile = std::get<FastestMotion>(motion).profile;
+    fastest.push_back(near_by.empty() ? profile.asked_often() : profile);
   }
   const auto traveller = [&](int i) {
     return Traveller{&systems[i], problem.tasks[i].start, problem.tasks[i].goal, fastest[i]};

@@ -1,7 +1,9 @@
 #include "core/passage/relaxed_arm.h"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -16,23 +18,27 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kStrongBy = 1e-3;
 /// Part by which a strict inequality of a proof has to hold beyond rounding.
 constexpr double kProofMargin = 1e-9;
-/// Halvings of the joint range in search of what can be reached; what is left is added.
-constexpr int kHalvings = 30;
+/// Part of the joint range to which the farthest turn is sought; what is left is added.
+constexpr double kTurnTolerance = 1e-9;
+constexpr std::uintmax_t kMostSteps = 60;
 
 /// The farthest position from `from` towards the end of the range `to` at which the arm can turn back in time.
 double farthest_turn(const Relaxation& relaxation, const Task& task, double from, double to, double duration) {
-  const auto is_reachable = [&](double position) {
+  const auto lateness = [&](double position) {
     const JointState turn = {position, 0.0};
-    return relaxation.duration(task.start, turn) + relaxation.duration(turn, task.goal) <= duration;
+    return relaxation.duration(task.start, turn) + relaxation.duration(turn, task.goal) - duration;
   };
-  if (is_reachable(to)) return to;
-  double inside = from;
-  double outside = to;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (inside + outside);
-    (is_reachable(middle) ? inside : outside) = middle;
-  }
-  return outside;
+  const double at_end = lateness(to);
+  if (at_end <= 0.0) return to;
+  const double at_start = lateness(from);
+  if (at_start >= 0.0) return from;
+  const double width = kTurnTolerance * std::abs(to - from);
+  const bool is_up = to > from;
+  std::uintmax_t steps = kMostSteps;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      lateness, std::min(from, to), std::max(from, to), is_up ? at_start : at_end, is_up ? at_end : at_start,
+      [width](double a, double b) { return b - a <= width; }, steps);
+  return is_up ? high : low;
 }
 
 /// Largest of sin(angle) over an interval.

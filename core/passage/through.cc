@@ -36,29 +36,27 @@ Passing passing_with(const Traveller& traveller, double position, double velocit
           fastest_duration(*traveller.system, passed, traveller.goal)};
 }
 
-/// As the fastest motion passes it first, or last; nothing if it does not get there.
-std::optional<Passing> of_fastest_motion(const Traveller& traveller, double position, Hurry hurry) {
-  const Profile& fastest = traveller.fastest;
-  if (!fastest.extent().contains(position)) return std::nullopt;
+}  // namespace
+
+std::optional<Passing> passing_of(const Profile& motion, double position, Hurry hurry) {
+  if (!motion.extent().contains(position)) return std::nullopt;
   const bool early = hurry == Hurry::kEarlyArrival;
-  if (position == (early ? fastest.start() : fastest.goal())) {
-    return early ? Passing{fastest.start_state().velocity, 0.0, fastest.duration()}
-                 : Passing{fastest.goal_state().velocity, fastest.duration(), 0.0};
+  if (position == (early ? motion.start() : motion.goal())) {
+    return early ? Passing{motion.start_state().velocity, 0.0, motion.duration()}
+                 : Passing{motion.goal_state().velocity, motion.duration(), 0.0};
   }
   std::optional<Passing> passing;
-  for (const Leg& leg : fastest.legs()) {
+  for (const Leg& leg : motion.legs()) {
     if (!Interval{std::min(leg.start, leg.goal), std::max(leg.start, leg.goal)}.contains(position)) continue;
-    const double time = fastest.time_at(leg, position);
-    passing = {fastest.velocity_at(leg, position), time, fastest.duration() - time};
+    const double time = motion.time_at(leg, position);
+    passing = {motion.velocity_at(leg, position), time, motion.duration() - time};
     if (early) break;
   }
   return passing;
 }
 
-}  // namespace
-
 Passing fastest_passing(const Traveller& traveller, double position, Hurry hurry) {
-  if (const auto passing = of_fastest_motion(traveller, position, hurry)) return *passing;
+  if (const auto passing = passing_of(traveller.fastest, position, hurry)) return *passing;
   return passing_with(traveller, position, 0.0);
 }
 
@@ -104,7 +102,7 @@ Passing Through::at(double share) const {
   return through_with(least_.velocity + (most_velocity_ - least_.velocity) * share * share);
 }
 
-Passing Through::within(double duration) const {
+Passing Through::within(double duration, const Budget& budget) const {
   if (least_.duration() >= duration) return least_;
   const Passing most = this->most();
   if (most.duration() <= duration) return most;
@@ -118,12 +116,12 @@ Passing Through::within(double duration) const {
   std::uintmax_t steps = kMostSteps;
   boost::math::tools::toms748_solve(
       excess, 0.0, 1.0, least_.duration() - duration, std::min(most.duration(), kNever) - duration,
-      [](double low, double high) { return high - low < kShareTolerance; }, steps);
+      [&](double low, double high) { return high - low < kShareTolerance || budget.exhausted(); }, steps);
   return beyond;
 }
 
 std::optional<Profile> Through::motion(const Passing& passing) const {
-  if (passing.velocity == least_.velocity && of_fastest_motion(*traveller_, position_, hurry_)) {
+  if (passing.velocity == least_.velocity && traveller_->fastest.extent().contains(position_)) {
     return traveller_->fastest;
   }
   const System& system = *traveller_->system;

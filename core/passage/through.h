@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/model/budget.h"
 #include "core/phase_plane/profile.h"
 #include "core/phase_plane/system.h"
 
@@ -27,6 +28,9 @@ struct Passing {
 
 /// What is hurried: to be at the position early (arms that go first), or to leave it late (arms that go second).
 enum class Hurry { kEarlyArrival, kLateDeparture };
+
+/// A motion as it passes a position (rad) first, or last; nothing if it does not get there.
+std::optional<Passing> passing_of(const Profile& motion, double position, Hurry hurry);
 
 /// Of all motions of an arm that pass a position (rad) the fastest, as it arrives there first or leaves it last.
 Passing fastest_passing(const Traveller& traveller, double position, Hurry hurry);
@@ -64,8 +68,8 @@ class Through {
   Passing at(double share) const;
 
   /// The motion of at most `duration` (s, at least that of `least`) whose hurried half is the fastest; the hurried half
-  /// is never slower than the truth, to rounding.
-  Passing within(double duration) const;
+  /// is never slower than the truth, to rounding, and faster where the budget runs out.
+  Passing within(double duration, const Budget& budget = Budget()) const;
 
   /// A motion of the family as a profile; nothing if there is none.
   std::optional<Profile> motion(const Passing& passing) const;

@@ -62,6 +62,7 @@ void ArcMotion::take_anchor(double direction, bool is_traced) {
     backlash_ = std::abs(anchor_.velocity / acceleration(anchor_));
     anchor_.velocity = 0.0;
   }
+  if (!is_traced && kind_ != ArcKind::kCruise) work_ = system_->work_from(extreme_, anchor_.position);
   const double gain = away_ * acceleration(anchor_);
   const double travel = std::abs(end_.position - start_.position);
   const double behind = gain > 0.0 ? 0.5 * anchor_.velocity * anchor_.velocity / gain : 0.0;
@@ -128,7 +129,8 @@ double ArcMotion::acceleration(JointState state) const {
 }
 
 double ArcMotion::speed_squared(double change) const {
-  return anchor_.velocity * anchor_.velocity + 2.0 * system_->specific_work(extreme_, anchor_.position, change);
+  const double work = work_ ? work_->over(change) : system_->specific_work(extreme_, anchor_.position, change);
+  return anchor_.velocity * anchor_.velocity + 2.0 * work;
 }
 
 double ArcMotion::change_at(double root) const { return away_ * std::max(0.0, root * root - virtual_rest_); }

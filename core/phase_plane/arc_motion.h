@@ -82,10 +82,11 @@ class ArcMotion {
   JointState end_;
   Extreme extreme_;
   std::optional<double> mean_acceleration_;  ///< rad/s2, of an arc so short that it does not change
-  JointState anchor_;           ///< the end of the arc from which times are taken, as a rule the slower one
-  double away_;                 ///< sign of position - anchor along the arc
-  bool from_start_ = true;      ///< the anchor is the arc's start
-  std::optional<Trace> trace_;  ///< from the anchor, where velocity enters
+  JointState anchor_;             ///< the end of the arc from which times are taken, as a rule the slower one
+  double away_;                   ///< sign of position - anchor along the arc
+  bool from_start_ = true;        ///< the anchor is the arc's start
+  std::optional<SineWork> work_;  ///< from the anchor on, where it is that simple
+  std::optional<Trace> trace_;    ///< from the anchor, where velocity enters
   std::shared_ptr<const IntegralSeries> clock_;  ///< the quadrature, from the first root on
   double virtual_rest_ = 0.0;  ///< rad, how far behind the anchor its speed would have been gained from rest
   double backlash_ = 0.0;      ///< s, to stop at the anchor where its tiny velocity points against the arc

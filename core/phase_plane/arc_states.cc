@@ -1,5 +1,6 @@
 // The states of an arc at evenly spaced times: the rows of knots.
 #include <algorithm>
+#include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 
@@ -75,10 +76,17 @@ std::vector<JointState> ArcMotion::along_series(const JointState& from, double s
     const int steps = std::min(count - done, static_cast<int>(reach / std::abs(step) * (1.0 + kStepRounding)));
     if (steps < 1) return {};
     PlaneState state = {};
-    for (int i = 1; i <= steps; ++i) {
-      state = series->at(step * i);
+    const auto add = [&](const PlaneState& next) {
+      state = next;
       states.push_back({from.position + (way_before + state[0]), state[1]});
+    };
+    int i = 1;
+    for (; i + 3 <= steps; i += 4) {
+      for (const PlaneState& next : series->at(std::array{step * i, step * (i + 1), step * (i + 2), step * (i + 3)})) {
+        add(next);
+      }
     }
+    for (; i <= steps; ++i) add(series->at(step * i));
     way_before += state[0];
     done += steps;
   }
@@ -124,10 +132,12 @@ bool ArcMotion::may_leave_miss(const JointState& state, const JointState& end) c
 void ArcMotion::spread_miss(std::vector<JointState>& states, const JointState& end, double span) {
   const double position_miss = end.position - states.back().position;
   const double velocity_miss = (end.velocity - states.back().velocity) * span;
+  const double part = 1.0 / static_cast<double>(states.size() - 1);
+  const double per_span = 1.0 / span;
   for (std::size_t i = 1; i < states.size(); ++i) {
-    const double u = static_cast<double>(i) / static_cast<double>(states.size() - 1);
+    const double u = static_cast<double>(i) * part;
     states[i].position += u * u * ((3.0 - 2.0 * u) * position_miss + (u - 1.0) * velocity_miss);
-    states[i].velocity += u * (6.0 * (1.0 - u) * position_miss + (3.0 * u - 2.0) * velocity_miss) / span;
+    states[i].velocity += u * (6.0 * (1.0 - u) * position_miss + (3.0 * u - 2.0) * velocity_miss) * per_span;
   }
   states.back() = end;
 }

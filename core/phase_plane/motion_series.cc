@@ -16,8 +16,9 @@ constexpr std::size_t kLastTerms = 4;
 std::optional<MotionSeries> MotionSeries::about(const System& system, Extreme extreme, JointState state) {
   MotionSeries series;
   if (!system.extremal_series(extreme, state, series.way_)) return std::nullopt;
-  for (std::size_t k = 0; k + 1 < kTerms; ++k) series.velocity_[k] = static_cast<double>(k + 1) * series.way_[k + 1];
-  series.velocity_[kTerms - 1] = 0.0;
+  for (std::size_t k = 0; k + 1 < kTerms; ++k) {
+    series.way_per_time_[k] = {series.way_[k + 1], static_cast<double>(k + 1) * series.way_[k + 1]};
+  }
   return series;
 }
 
@@ -31,16 +32,6 @@ double MotionSeries::reach(double most) const {
   // Shorter times leave out a part that is smaller by this power at least.
   const double reach = most * std::pow(kLeftOut / part, 1.0 / static_cast<double>(kFirstLeftOut - 2));
   return std::isfinite(reach) ? reach : 0.0;
-}
-
-PlaneState MotionSeries::at(double time) const {
-  double way = way_[kTerms - 1];
-  double velocity = velocity_[kTerms - 2];
-  for (std::size_t k = kTerms - 2; k > 0; --k) {
-    way = way * time + way_[k];
-    velocity = velocity * time + velocity_[k - 1];
-  }
-  return {way * time, velocity};
 }
 
 }  // namespace dualarm

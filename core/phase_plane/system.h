@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +12,25 @@ namespace dualarm {
 
 /// One of the two ends of an interval of admissible accelerations.
 enum class Extreme { kLowest, kHighest };
+
+/// The integral over s of an acceleration that is a constant less a sine, from a position on: what specific_work
+/// answers, for those who ask it often.
+struct SineWork {
+  double constant = 0.0;  ///< rad/s2
+  double sine = 0.0;      ///< rad/s2, of the sine, in the position
+  double cosine = 0.0;    ///< rad/s2, its derivative there
+
+  /// Over a change of s (rad), (rad/s)2. Keeps its digits for small change: the difference of two cosines as a product
+  /// of sines.
+  double over(double change) const {
+    const double half_sine = std::sin(0.5 * change);
+    const double half_cosine = std::cos(0.5 * change);
+    return constant * change - 2.0 * half_sine * (sine * half_cosine + cosine * half_sine);
+  }
+
+  /// The acceleration (rad/s2) after a change of s (rad).
+  double rate(double change) const { return constant - sine * std::cos(change) - cosine * std::sin(change); }
+};
 
 /// One degree of freedom with coordinate s (rad), as the phase plane sees it: over which s, which accelerations are
 /// admissible, which velocities are. Knows nothing of robots; a single joint is one, an arm along a path can be.
@@ -51,6 +72,9 @@ class System {
   /// Integral of an end of `acceleration` at standstill from `from` to `from + change`, (rad/s)2. Keeps its digits for
   /// small change.
   virtual double specific_work(Extreme extreme, double from, double change) const = 0;
+
+  /// The same as a function of the change, where it is as simple as that.
+  virtual std::optional<SineWork> work_from(Extreme /*extreme*/, double /*from*/) const { return std::nullopt; }
 
   /// Where in `within` an end of `acceleration` at the constant velocity s_dot changes sign, ascending.
   virtual std::vector<double> zeros(Extreme extreme, double s_dot, Interval within) const = 0;

@@ -7,6 +7,7 @@
 #include "core/phase_plane/arc_motion.h"
 #include "core/phase_plane/impasse.h"
 #include "core/phase_plane/minimum.h"
+#include "core/phase_plane/one_switch.h"
 #include "core/phase_plane/spot_motion.h"
 #include "core/phase_plane/swing.h"
 #include "core/phase_plane/turns.h"
@@ -46,6 +47,7 @@ Profile profile_of(const System& system, JointState start, std::vector<Arc> arcs
 /// The faster of the two ways, or what is in the way of the one that comes further.
 std::variant<Profile, Blocked> faster_way(const System& system, JointState start, JointState goal) {
   if (auto arcs = motion_on_the_spot(system, start, goal)) return profile_of(system, start, std::move(*arcs));
+  if (auto arcs = one_switch_motion(system, start, goal)) return profile_of(system, start, std::move(*arcs));
   std::optional<Profile> fastest;
   std::optional<Blocked> obstacle;
   const double natural = goal.position >= start.position ? 1.0 : -1.0;
@@ -114,6 +116,7 @@ std::variant<FastestMotion, Blocked> fastest_motion(const System& system, JointS
 double fastest_duration(const System& system, JointState start, JointState goal) {
   if (check_start(system, start) || check_goal(system, goal)) return kInfinity;
   if (const auto arcs = motion_on_the_spot(system, start, goal)) return duration_along(system, *arcs);
+  if (const auto arcs = one_switch_motion(system, start, goal)) return duration_along(system, *arcs);
   double fastest = kInfinity;
   for (const double direction : {1.0, -1.0}) {
     const auto way = one_way_motion(system, start, goal, direction);

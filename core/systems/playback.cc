@@ -16,8 +16,15 @@ constexpr double kInterpolationError = 5e-10;
 constexpr double kPositionRounding = 6e-16;
 /// s: shorter arcs are no motion but a jump of their knots.
 constexpr double kShortestArc = 2e-11;
+/// s: arms that arrive this much before the plan's end arrive with it. Two durations that are meant to be one differ by
+/// less, and no acceleration shows it.
+constexpr double kShortestHold = 1e-10;
 /// Part of a plan's duration by which times that others have rounded in another order may differ.
 constexpr double kTimeRounding = 1e-12;
+/// Each such middle is looked at on a smooth arc.
+constexpr std::size_t kSmoothStride = 8;
+/// How much more the speeds and accelerations between knots may make of the sixth derivative than those at knots.
+constexpr double kSmoothReserve = 2.0;
 /// Number of intervals of an arc up to which it may double.
 constexpr int kMostIntervals = 16384;
 /// Ratio of unfaithfulness after a doubling and before that counts as a gain: true arcs gain a factor of sixteen.
@@ -71,6 +78,7 @@ class Player {
       placed.start_time = now_;
       placed.end_time = std::clamp(motion.start_time + arc.end_time, now_, duration_);
       if (placed.end_time - now_ < kShortestArc) placed.end_time = now_;
+      if (duration_ - placed.end_time < kShortestHold) placed.end_time = duration_;
       const std::vector<Knot> knots = knots_along(motion.profile, arc, placed);
       played_.arcs.push_back(placed);
       played_.knots.insert(played_.knots.end(), knots.begin(), knots.end());
@@ -140,21 +148,24 @@ class Player {
     const double step = (placed.end_time - placed.start_time) / count;
     const std::optional<Extreme> extreme = profile.extreme_on(arc);
     std::vector<Knot> knots;
-    knots.reserve(count + 1);
-    for (const JointState& state : profile.states_along(arc, count)) {
-      const SingleJointArm::Drive drive = system_.drive(extreme, state);
-      const double time = placed.start_time + step * static_cast<double>(knots.size());
-      knots.push_back({time, state.position, state.velocity, drive.acceleration, drive.torque});
+    knots.reserve(static_cast<std::size_t>(count) + 1);
+    const std::vector<JointState> states = profile.states_along(arc, count);
+    const std::vector<SingleJointArm::Drive> drives = system_.drives(extreme, states);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const double time = placed.start_time + step * static_cast<double>(i);
+      knots.push_back({time, states[i].position, states[i].velocity, drives[i].acceleration, drives[i].torque});
     }
     knots.back().time = placed.end_time;
     return knots;
   }
 
   /// The largest part of what it may by which the quintic departs from the arc's acceleration half way between knots.
+  /// Where the arc is smooth enough for all knots, only some tell whether they are on one arc.
   double unfaithfulness(const Profile& profile, const Arc& arc, const std::vector<Knot>& knots) const {
     const std::optional<Extreme> extreme = profile.extreme_on(arc);
+    const std::size_t stride = is_smooth(arc, knots) ? kSmoothStride : 1;
     double largest = 0.0;
-    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < knots.size(); i += stride) {
       const Middle middle = middle_of(knots[i], knots[i + 1]);
       const double h = knots[i + 1].time - knots[i].time;
       const SingleJointArm::Drive drive = system_.drive(extreme, {middle.position, middle.velocity});
@@ -165,6 +176,21 @@ class Player {
       largest = std::max(largest, part);
     }
     return largest;
+  }
+
+  /// Whether the bound on the arc's sixth derivative says that quintics keep to it between any two of its knots: half
+  /// way they depart from its acceleration by that times h^4 / 1920.
+  bool is_smooth(const Arc& arc, const std::vector<Knot>& knots) const {
+    double speed = 0.0;
+    double acceleration = 0.0;
+    for (const Knot& knot : knots) {
+      speed = std::max(speed, std::abs(knot.velocity));
+      acceleration = std::max(acceleration, std::abs(knot.acceleration));
+    }
+    const double h = (knots.back().time - knots.front().time) / static_cast<double>(knots.size() - 1);
+    const double most = kSmoothReserve * system_.most_sixth_derivative(speed, acceleration);
+    const double span = system_.drive(std::nullopt, arc.start).span;
+    return most * h * h * h * h / 1920.0 <= kInterpolationError * span;
   }
 
   const SingleJointArm& system_;

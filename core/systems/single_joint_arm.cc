@@ -1,5 +1,6 @@
 #include "core/systems/single_joint_arm.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +14,28 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Interval kEverywhere = {-kInfinity, kInfinity};
 constexpr std::size_t kMostTerms = 32;  ///< of a series
+
+/// Neighbours whose sines share one call of the library.
+constexpr std::size_t kGroup = 8;
+using Group = Eigen::Array<double, static_cast<int>(kGroup), 1>;
+
+/// rad. Up to here the first terms left out below, x^11 / 11! and x^10 / 10!, are less than 3e-17.
+constexpr double kMostDifference = 0.1;
+
+/// Sines of the positions of at most kGroup states, seen from `phase`, by the addition theorem from the middle one;
+/// nothing where they differ by too much.
+std::optional<Group> sines_about_middle(std::span<const JointState> states, double phase) {
+  const double middle = states[states.size() / 2].position;
+  Group x = Group::Zero();
+  for (std::size_t i = 0; i < states.size(); ++i) x[static_cast<Eigen::Index>(i)] = states[i].position - middle;
+  if (!(x.abs().maxCoeff() <= kMostDifference)) return std::nullopt;
+  const Group y = x * x;
+  const Group sine = x + x * y * (-1.0 / 6.0 + y * (1.0 / 120.0 + y * (-1.0 / 5040.0 + y * (1.0 / 362880.0))));
+  const Group cosine_less_one = y * (-0.5 + y * (1.0 / 24.0 + y * (-1.0 / 720.0 + y * (1.0 / 40320.0))));
+  const double s = std::sin(middle - phase);
+  const double c = std::cos(middle - phase);
+  return s + (c * sine + s * cosine_less_one);
+}
 
 }  // namespace
 
@@ -73,6 +96,14 @@ double SingleJointArm::specific_work(Extreme extreme, double from, double change
   return (at_rest_[index(extreme)].integral(from, change) + gravity_.amplitude * cosine_change) / inertia_;
 }
 
+std::optional<SineWork> SingleJointArm::work_from(Extreme extreme, double from) const {
+  const PiecewiseLinear& torque = at_rest_[index(extreme)];
+  if (!torque.is_constant()) return std::nullopt;
+  const double gravity = gravity_.amplitude / inertia_;
+  const double angle = from - gravity_.phase;
+  return SineWork{torque.pieces().front().value / inertia_, gravity * std::sin(angle), gravity * std::cos(angle)};
+}
+
 std::vector<double> SingleJointArm::zeros(Extreme extreme, double s_dot, Interval within) const {
   if (!std::holds_alternative<TorqueTable>(torque_)) {
     return balances(torque_end(extreme, torque_limits(torque_, 0.0, s_dot)) - rubbed_off(s_dot), gravity_, within);
@@ -97,12 +128,11 @@ double SingleJointArm::stiffness() const {
 bool SingleJointArm::extremal_series(Extreme extreme, JointState from, std::span<double> way) const {
   const auto* constant = std::get_if<Interval>(&torque_);
   if (constant == nullptr || way.size() > kMostTerms) return false;
-  // Sine and cosine of the angle as series of their own: (sin)' = cos angle', (cos)' = -sin angle'.
-  std::array<double, kMostTerms> sines;
-  std::array<double, kMostTerms> cosines;
-  std::array<double, kMostTerms> rate;  // of the angle, which is that of the way
-  sines[0] = std::sin(from.position - gravity_.phase);
-  cosines[0] = std::cos(from.position - gravity_.phase);
+  // The angle's direction e^(i angle) as a series of its own: its derivative is i angle' times itself.
+  std::array<Eigen::Array2d, kMostTerms> directions;  // real and imaginary part
+  std::array<double, kMostTerms> rate;                // of the angle, which is that of the way
+  const double angle = from.position - gravity_.phase;
+  directions[0] = {std::cos(angle), std::sin(angle)};
   rate[0] = from.velocity;
   way[0] = 0.0;
   const double per_inertia = 1.0 / inertia_;
@@ -110,18 +140,27 @@ bool SingleJointArm::extremal_series(Extreme extreme, JointState from, std::span
     const double share = 1.0 / static_cast<double>(k + 1);
     way[k + 1] = rate[k] * share;
     const double torque =
-        (k == 0 ? torque_end(extreme, *constant) : 0.0) - gravity_.amplitude * sines[k] - friction_ * rate[k];
+        (k == 0 ? torque_end(extreme, *constant) : 0.0) - gravity_.amplitude * directions[k][1] - friction_ * rate[k];
     rate[k + 1] = torque * per_inertia * share;
-    double of_sine = 0.0;
-    double of_cosine = 0.0;
-    for (std::size_t j = 0; j <= k; ++j) {
-      of_sine += rate[j] * cosines[k - j];
-      of_cosine -= rate[j] * sines[k - j];
-    }
-    sines[k + 1] = of_sine * share;
-    cosines[k + 1] = of_cosine * share;
+    Eigen::Array2d sum = rate[0] * directions[k];
+    for (std::size_t j = 1; j <= k; ++j) sum += rate[j] * directions[k - j];
+    directions[k + 1] = {-sum[1] * share, sum[0] * share};
   }
   return true;
+}
+
+double SingleJointArm::most_sixth_derivative(double speed, double acceleration) const {
+  if (!std::holds_alternative<Interval>(torque_)) return kInfinity;
+  // Each derivative of the acceleration is that of gravity, by the chain rule, and friction's of the one before.
+  const double gravity = std::abs(gravity_.amplitude) / inertia_;
+  const double friction = friction_ / inertia_;
+  const double squared = speed * speed;
+  const double third = gravity * speed + friction * acceleration;
+  const double fourth = gravity * (acceleration + squared) + friction * third;
+  const double fifth = gravity * (third + 3.0 * speed * acceleration + squared * speed) + friction * fourth;
+  return gravity * (fourth + 4.0 * speed * third + 3.0 * acceleration * acceleration + 6.0 * squared * acceleration +
+                    squared * squared) +
+         friction * fifth;
 }
 
 SingleJointArm::Drive SingleJointArm::drive(std::optional<Extreme> extreme, JointState state) const {
@@ -131,6 +170,28 @@ SingleJointArm::Drive SingleJointArm::drive(std::optional<Extreme> extreme, Join
   if (!extreme) return {0.0, held, span};
   const double torque = torque_end(*extreme, limits);
   return {(torque - held) / inertia_, torque, span};
+}
+
+std::vector<SingleJointArm::Drive> SingleJointArm::drives(std::optional<Extreme> extreme,
+                                                          std::span<const JointState> states) const {
+  std::vector<Drive> drives;
+  drives.reserve(states.size());
+  const auto* constant = std::get_if<Interval>(&torque_);
+  const double span = constant != nullptr ? constant->length() / inertia_ : 0.0;
+  const double end = constant != nullptr && extreme ? torque_end(*extreme, *constant) : 0.0;
+  while (drives.size() < states.size()) {
+    const auto group = states.subspan(drives.size(), std::min(kGroup, states.size() - drives.size()));
+    const auto sines = constant != nullptr ? sines_about_middle(group, gravity_.phase) : std::nullopt;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      if (!sines) {
+        drives.push_back(drive(extreme, group[i]));
+        continue;
+      }
+      const double held = gravity_.amplitude * (*sines)[static_cast<Eigen::Index>(i)] + rubbed_off(group[i].velocity);
+      drives.push_back(extreme ? Drive{(end - held) / inertia_, end, span} : Drive{0.0, held, span});
+    }
+  }
+  return drives;
 }
 
 double SingleJointArm::torque(JointState state, double acceleration) const {

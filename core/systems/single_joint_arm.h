@@ -31,6 +31,7 @@ class SingleJointArm final : public System {
   }
   bool drives_best_at_rest(double direction) const override { return drives_best_at_rest_[direction > 0.0 ? 1 : 0]; }
   double specific_work(Extreme extreme, double from, double change) const override;
+  std::optional<SineWork> work_from(Extreme extreme, double from) const override;
   std::vector<double> zeros(Extreme extreme, double s_dot, Interval within) const override;
   std::vector<double> position_bends(Interval within) const override;
   std::vector<double> velocity_bends() const override;
@@ -42,6 +43,10 @@ class SingleJointArm final : public System {
   /// Where the torque limit is constant.
   bool extremal_series(Extreme extreme, JointState from, std::span<double> way) const override;
 
+  /// Upper bound on the sixth derivative of the position (rad/s6) along a motion under one end of the torque limit
+  /// whose speeds (rad/s) and accelerations (rad/s2) are at most these; infinite where the limit is not constant.
+  double most_sixth_derivative(double speed, double acceleration) const;
+
   /// What the drive does in a state.
   struct Drive {
     double acceleration = 0.0;  ///< rad/s2
@@ -51,6 +56,9 @@ class SingleJointArm final : public System {
 
   /// With an end of the torque limit, or, where none is named, at constant velocity.
   Drive drive(std::optional<Extreme> extreme, JointState state) const;
+
+  /// The same in states that follow each other closely, as those along a motion do, to 1e-15 of gravity's torque.
+  std::vector<Drive> drives(std::optional<Extreme> extreme, std::span<const JointState> states) const;
 
   /// Torque (N m) the drive has to give in a state for an acceleration (rad/s2).
   double torque(JointState state, double acceleration) const;

@@ -74,17 +74,18 @@ struct TurningAt {
   }
 
   TurningBody operator()(const CarryingJoint& joint) const {
-    const JointState state = joint.motion->state(middle_of(time));
-    const Interpolant::Bounds bounds = joint.motion->bounds(time);
-    return {placed(body.body.shape, link_pose(joint.base, state.position)),
+    const Interpolant::During during = joint.motion->during(time);
+    return {placed(body.body.shape, link_pose(joint.base, during.in_the_middle.position)),
             joint.base.position,
             Eigen::Vector3d::Zero(),
             Eigen::Vector3d::UnitZ(),
-            joint.base.sense() * state.velocity,
-            bounds.speed,
-            bounds.acceleration,
+            joint.base.sense() * during.in_the_middle.velocity,
+            during.most.speed,
+            during.most.acceleration,
+            during.farthest,
             body.reach,
-            body.extent};
+            body.extent,
+            body.reach * during.farthest};
   }
 
   TurningBody operator()(const PoseTrack* track) const {
@@ -95,6 +96,7 @@ struct TurningAt {
     moving.origin = pose.translation();
     moving.reach = body.reach;
     moving.extent = body.extent;
+    moving.farthest_way = farthest_way(body, time);
     if (middle <= track->begin_time() || middle >= track->end_time()) return moving;
     const auto to = corners_inside(*track, {middle, track->end_time()}).first;
     const auto& segment = track->segments()[static_cast<std::size_t>(to - track->poses().begin()) - 1];
@@ -102,6 +104,7 @@ struct TurningAt {
     moving.axis = (to - 1)->pose.linear() * segment.axis;
     moving.rate = segment.angle / segment.duration;
     moving.most_rate = std::abs(moving.rate);
+    moving.most_turn = moving.most_rate * 0.5 * time.length();
     return moving;
   }
 };

@@ -4,189 +4,280 @@
 #include <cmath>
 #include <limits>
 
-#include "core/verification/tolerances.h"
+#include "core/verification/pair.h"
 
 namespace dualarm {
 namespace {
 
-/// Infinite where a value is not a number, so that nothing is proven with it.
-template <std::size_t kSize>
-double largest_magnitude(const std::array<double, kSize>& values) {
-  double most = 0.0;
-  for (double value : values) {
-    if (!(std::abs(value) <= most))
-      most = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::abs(value);
-  }
-  return most;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kBlockSize = 16;  // pieces
+
+/// What is gathered over all pieces.
+template <typename Number>
+struct Gathered {
+  Number lowest = Number() + kInfinity;
+  Number highest = Number() - kInfinity;
+  Number slowest = Number() + kInfinity;
+  Number fastest = Number() - kInfinity;
+  Number doubt = Number();  // 0 while all numbers are finite
+};
+
+/// Where the numbers of the pieces of a run stand.
+struct Columns {
+  const double* time;
+  const double* position;
+  const double* velocity;
+  const double* acceleration;
+  double* start;
+  double* duration;
+  double* second;
+  double* third;
+  double* lowest;
+  double* highest;
+  double* slowest;
+  double* fastest;
+  double* speed;
+  double* most_acceleration;
+};
+
+/// Bernstein coefficients of the position, and the pieces' bounds from them. `y` is a twentieth of the square of h.
+template <typename Number>
+void bound_position(const Columns& columns, std::size_t i, Number h, Gathered<Number>& all) {
+  const Number q0 = load<Number>(columns.position + i);
+  const Number q1 = load<Number>(columns.position + i + 1);
+  const Number x0 = 0.2 * h * load<Number>(columns.velocity + i);
+  const Number x1 = 0.2 * h * load<Number>(columns.velocity + i + 1);
+  const Number y0 = 0.05 * h * h * load<Number>(columns.acceleration + i);
+  const Number y1 = 0.05 * h * h * load<Number>(columns.acceleration + i + 1);
+  const Number second = q0 + x0;
+  const Number third = q0 + 2.0 * x0 + y0;
+  const Number fourth = q1 - 2.0 * x1 + y1;
+  const Number fifth = q1 - x1;
+  const Number lowest = lesser(lesser(lesser(q0, q1), lesser(second, third)), lesser(fourth, fifth));
+  const Number highest = greater(greater(greater(q0, q1), greater(second, third)), greater(fourth, fifth));
+  store(columns.lowest + i, lowest);
+  store(columns.highest + i, highest);
+  all.lowest = lesser(all.lowest, lowest);
+  all.highest = greater(all.highest, highest);
+  const Number sum = second + third + fourth + fifth;
+  all.doubt = all.doubt + (sum - sum);
 }
 
-/// Bernstein coefficients of the derivative from those of a polynomial over `duration`.
-template <std::size_t kSize>
-std::array<double, kSize - 1> differentiated(const std::array<double, kSize>& bernstein, double duration) {
-  std::array<double, kSize - 1> derivative;
-  for (std::size_t i = 0; i + 1 < kSize; ++i) {
-    derivative[i] = static_cast<double>(kSize - 1) * (bernstein[i + 1] - bernstein[i]) / duration;
-  }
-  return derivative;
+/// The same of velocity and acceleration. They are written out, because differences of the position's coefficients lose
+/// digits over short times.
+template <typename Number>
+void bound_rates(const Columns& columns, std::size_t i, Number h, Gathered<Number>& all) {
+  const Number per = 1.0 / h;
+  const Number mean = (load<Number>(columns.position + i + 1) - load<Number>(columns.position + i)) * per;
+  const Number v0 = load<Number>(columns.velocity + i);
+  const Number v4 = load<Number>(columns.velocity + i + 1);
+  const Number a0 = load<Number>(columns.acceleration + i);
+  const Number a3 = load<Number>(columns.acceleration + i + 1);
+  const Number v1 = v0 + 0.25 * h * a0;
+  const Number v2 = 5.0 * mean - 2.0 * (v0 + v4) + 0.25 * h * (a3 - a0);
+  const Number v3 = v4 - 0.25 * h * a3;
+  const Number slowest = lesser(lesser(lesser(v0, v1), lesser(v3, v4)), v2);
+  const Number fastest = greater(greater(greater(v0, v1), greater(v3, v4)), v2);
+  const Number speed = greater(fastest, -slowest);
+  const Number a1 = 20.0 * (mean - 0.6 * v0 - 0.4 * v4) * per + a3 - 2.0 * a0;
+  const Number a2 = 20.0 * (0.4 * v0 + 0.6 * v4 - mean) * per + a0 - 2.0 * a3;
+  const Number most_acceleration =
+      greater(greater(magnitude(a0), magnitude(a1)), greater(magnitude(a2), magnitude(a3)));
+  store(columns.slowest + i, slowest);
+  store(columns.fastest + i, fastest);
+  store(columns.speed + i, speed);
+  store(columns.second + i, a1);
+  store(columns.third + i, a2);
+  store(columns.most_acceleration + i, most_acceleration);
+
+  all.slowest = lesser(all.slowest, slowest);
+  all.fastest = greater(all.fastest, fastest);
+  const Number sum = (a1 + a2) + (v1 + v2 + v3);
+  all.doubt = all.doubt + (sum - sum);
 }
 
-/// What the derivative of an order makes of a power: power (power - 1) ... (power - order + 1).
-constexpr std::array<std::array<double, 6>, 6> kFalling = {{{1.0, 1.0, 1.0, 1.0, 1.0, 1.0},
-                                                            {0.0, 1.0, 2.0, 3.0, 4.0, 5.0},
-                                                            {0.0, 0.0, 2.0, 6.0, 12.0, 20.0},
-                                                            {0.0, 0.0, 0.0, 6.0, 24.0, 60.0},
-                                                            {0.0, 0.0, 0.0, 0.0, 24.0, 120.0},
-                                                            {0.0, 0.0, 0.0, 0.0, 0.0, 120.0}}};
-
-constexpr std::size_t kBlockSize = 256;  // pieces
+template <typename Number>
+void bound_piece(const Columns& columns, std::size_t i, Gathered<Number>& all) {
+  const Number time = load<Number>(columns.time + i);
+  const Number h = load<Number>(columns.time + i + 1) - time;
+  store(columns.start + i, time);
+  store(columns.duration + i, h);
+  bound_position(columns, i, h, all);
+  bound_rates(columns, i, h, all);
+}
 
 }  // namespace
 
-bool share_a_time(const Knot& before, const Knot& after) {
-  const double last_digits = kSameTimeDigits * std::numeric_limits<double>::epsilon() * after.time;
-  return after.time - before.time <= std::max(kSameTime, last_digits);
-}
-
-Quintic::Quintic(const Knot& start, const Knot& end) : start_(start.time), duration_(end.time - start.time) {
-  const double h = duration_;
-  const double change = end.position - start.position;
-  const double v0 = start.velocity;
-  const double v1 = end.velocity;
-  const double a0 = start.acceleration;
-  const double a1 = end.acceleration;
-
-  // What the parabola of the start leaves of position, velocity and acceleration at the end, in units of position.
-  const double p = change - h * v0 - 0.5 * h * h * a0;
-  const double v = h * (v1 - v0) - h * h * a0;
-  const double a = 0.5 * h * h * (a1 - a0);
-  coefficients_ = {
-      start.position,       h * v0, 0.5 * h * h * a0, 10.0 * p - 4.0 * v + a, -15.0 * p + 7.0 * v - 2.0 * a,
-      6.0 * p - 3.0 * v + a};
-
-  // A polynomial lies between the least and the largest of its Bernstein coefficients. Velocity and acceleration are
-  // written out, because differences of the position's coefficients lose digits over short times.
-  const std::array<double, 5> velocity = {
-      v0, v0 + 0.25 * h * a0, 5.0 * change / h - 2.0 * (v0 + v1) + 0.25 * h * (a1 - a0), v1 - 0.25 * h * a1, v1};
-  const std::array<double, 4> acceleration = {a0, 20.0 * (change / h - 0.6 * v0 - 0.4 * v1) / h + a1 - 2.0 * a0,
-                                              20.0 * (0.4 * v0 + 0.6 * v1 - change / h) / h + a0 - 2.0 * a1, a1};
-  const std::array<double, 3> jerk = differentiated(acceleration, h);
-  const std::array<double, 2> snap = differentiated(jerk, h);
-  const std::array<double, 1> crackle = differentiated(snap, h);
-  most_ = {0.0,
-           largest_magnitude(velocity),
-           largest_magnitude(acceleration),
-           largest_magnitude(jerk),
-           largest_magnitude(snap),
-           largest_magnitude(crackle)};
-
-  // Half a last digit of both positions, both velocities and both times. The second derivative of the quintic answers
-  // a change of one position by at most 5.8 / h^2 and of one velocity by at most 4 / h; the first by 1.9 / h and 1.
-  const double half_digit = 0.5 * std::numeric_limits<double>::epsilon();
-  const double times = std::abs(start.time) + std::abs(end.time);
-  const double of_position =
-      half_digit * (std::abs(start.position) + std::abs(end.position) + std::max(std::abs(v0), std::abs(v1)) * times);
-  const double of_velocity = half_digit * (std::abs(v0) + std::abs(v1) + (std::abs(a0) + std::abs(a1)) * times);
-  velocity_rounding_ = 2.0 * of_position / h + of_velocity;
-  acceleration_rounding_ = 6.0 * of_position / (h * h) + 4.0 * of_velocity / h;
-}
-
-double Quintic::derivative(int order, double time) const {
-  const double u = std::clamp((time - start_) / duration_, 0.0, 1.0);
-  double value = 0.0;
-  for (int power = 5; power >= order; --power) value = value * u + kFalling[order][power] * coefficients_[power];
-  for (int i = 0; i < order; ++i) value /= duration_;
-  return value;
-}
-
-Interval Quintic::range(int order) const {
-  const double start = derivative(order, start_);
-  const double end = derivative(order, start_ + duration_);
-  const double departure = most_[order + 2] * duration_ * duration_ / 8.0;
-  return {std::min(start, end) - departure, std::max(start, end) + departure};
-}
-
-std::array<double, 6> Quintic::in_the_middle() const {
-  // Horner's scheme again and again: the coefficients of powers of the way from the middle.
-  std::array<double, 6> shifted = coefficients_;
-  for (int first = 0; first < 5; ++first) {
-    for (int power = 4; power >= first; --power) shifted[power] += 0.5 * shifted[power + 1];
-  }
-  double factor = 1.0;
-  for (int order = 1; order <= 5; ++order) {
-    factor *= order / duration_;
-    shifted[order] *= factor;
-  }
-  return shifted;
-}
-
 Interpolant::Interpolant(const std::vector<Knot>& knots)
-    : start_{knots.front().position, knots.front().velocity}, end_{knots.back().position, knots.back().velocity} {
-  pieces_.reserve(knots.size());
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    if (!share_a_time(knots[k], knots[k + 1])) pieces_.emplace_back(knots[k], knots[k + 1]);
-  }
+    : knots_(static_cast<Eigen::Index>(knots.size()), static_cast<Eigen::Index>(kKnotColumns)),
+      position_range_{kInfinity, -kInfinity},
+      velocity_range_{kInfinity, -kInfinity} {
+  take(knots);
+  pieces_.resize(static_cast<Eigen::Index>(piece_count_), static_cast<Eigen::Index>(kPieceColumns));
+  bound_pieces();
   summarise();
 }
 
+void Interpolant::take(const std::vector<Knot>& knots) {
+  double* const time = knots_.col(kTime).data();
+  double* const position = knots_.col(kPosition).data();
+  double* const velocity = knots_.col(kVelocity).data();
+  double* const acceleration = knots_.col(kAcceleration).data();
+  std::size_t first = 0;
+  const auto end_run = [&](std::size_t last) {
+    if (last > first) runs_.push_back({first, piece_count_, last - first});
+    piece_count_ += last - first;
+    first = last + 1;
+  };
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    const Knot& knot = knots[k];
+    time[k] = knot.time;
+    position[k] = knot.position;
+    velocity[k] = knot.velocity;
+    acceleration[k] = knot.acceleration;
+    if (k > 0 && share_a_time(time[k - 1], knot.time)) end_run(k - 1);
+  }
+  end_run(knots.size() - 1);
+}
+
+void Interpolant::bound_pieces() {
+  Gathered<Pair> pairs;
+  Gathered<double> all;
+  const auto bound = [&](const Columns& columns, auto number, std::size_t i) {
+    if constexpr (sizeof number == sizeof(Pair)) bound_piece(columns, i, pairs);
+    if constexpr (sizeof number == sizeof(double)) bound_piece(columns, i, all);
+  };
+  for (const Run& run : runs_) {
+    const auto of_knots = [&](KnotColumn column) { return knots_.col(column).data() + run.first_knot; };
+    const auto of_pieces = [&](PieceColumn column) { return pieces_.col(column).data() + run.first_piece; };
+    const Columns columns = {of_knots(kTime),         of_knots(kPosition),         of_knots(kVelocity),
+                             of_knots(kAcceleration), of_pieces(kStart),           of_pieces(kDuration),
+                             of_pieces(kSecond),      of_pieces(kThird),           of_pieces(kLowest),
+                             of_pieces(kHighest),     of_pieces(kSlowest),         of_pieces(kFastest),
+                             of_pieces(kSpeed),       of_pieces(kMostAcceleration)};
+    for_pairs(run.piece_count, [&](auto number, std::size_t i) { bound(columns, number, i); });
+  }
+  position_range_ = {lesser(all.lowest, least_of(pairs.lowest)), greater(all.highest, most_of(pairs.highest))};
+  velocity_range_ = {lesser(all.slowest, least_of(pairs.slowest)), greater(all.fastest, most_of(pairs.fastest))};
+  if (!(all.doubt + pairs.doubt[0] + pairs.doubt[1] == 0.0)) overflow();
+}
+
+/// Nothing is proven of pieces with numbers that are not finite, nor of all together.
+void Interpolant::overflow() {
+  for (Eigen::Index i = 0; i < pieces_.rows(); ++i) {
+    if (pieces_.row(i).segment(kSecond, kMostAcceleration - kSecond + 1).isFinite().all()) continue;
+    for (const auto lower : {kLowest, kSlowest}) pieces_(i, lower) = -kInfinity;
+    for (const auto upper : {kHighest, kFastest, kSpeed, kMostAcceleration}) pieces_(i, upper) = kInfinity;
+  }
+  position_range_ = velocity_range_ = {-kInfinity, kInfinity};
+}
+
 void Interpolant::summarise() {
-  blocks_.resize(pieces_.size() / kBlockSize);
-  for (std::size_t i = 0; i < blocks_.size() * kBlockSize; ++i) {
-    Block& block = blocks_[i / kBlockSize];
-    block.travel += pieces_[i].most(1) * pieces_[i].duration();
-    block.most.speed = std::max(block.most.speed, pieces_[i].most(1));
-    block.most.acceleration = std::max(block.most.acceleration, pieces_[i].most(2));
+  const auto speed = pieces_.col(kSpeed);
+  const auto acceleration = pieces_.col(kMostAcceleration);
+  double way = 0.0;
+  for (Eigen::Index i = 0; i < pieces_.rows(); ++i) {
+    way += speed[i] * pieces_(i, kDuration);
+    pieces_(i, kTravelled) = way;
+  }
+  constexpr auto kSize = static_cast<Eigen::Index>(kBlockSize);
+  blocks_.resize(pieces_.rows() / kSize, 2);
+  for (Eigen::Index block = 0; block < blocks_.rows(); ++block) {
+    blocks_(block, 0) = speed.segment<kSize>(block * kSize).maxCoeff();
+    blocks_(block, 1) = acceleration.segment<kSize>(block * kSize).maxCoeff();
   }
 }
 
-template <typename VisitPiece, typename VisitBlock>
-void Interpolant::walk(Interval time, VisitPiece visit_piece, VisitBlock visit_block) const {
-  for (std::size_t i = piece_at(time.lower); i < pieces_.size() && pieces_[i].time().lower <= time.upper;) {
-    const std::size_t block = i / kBlockSize;
-    const bool is_whole = i % kBlockSize == 0 && block < blocks_.size() && time.lower <= pieces_[i].time().lower &&
-                          pieces_[i + kBlockSize - 1].time().upper <= time.upper;
-    if (is_whole) {
-      visit_block(blocks_[block]);
-    } else {
-      visit_piece(pieces_[i]);
-    }
-    i += is_whole ? kBlockSize : 1;
-  }
+std::size_t Interpolant::knot_before(std::size_t piece) const {
+  const auto after = std::upper_bound(runs_.begin(), runs_.end(), piece,
+                                      [](std::size_t index, const Run& run) { return index < run.first_piece; });
+  return (after - 1)->first_knot + (piece - (after - 1)->first_piece);
 }
 
-std::size_t Interpolant::piece_at(double time) const {
-  const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), time,
-                                      [](double t, const Quintic& piece) { return t < piece.time().lower; });
-  return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;
+Knot Interpolant::knot(std::size_t index) const {
+  return {times()[index], positions()[index], velocities()[index], accelerations()[index], 0.0};
+}
+
+Quintic Interpolant::piece(std::size_t index) const {
+  const std::size_t before = knot_before(index);
+  return {knot(before), knot(before + 1)};
+}
+
+/// Looks from an earlier piece on, in steps twice as long each time.
+std::size_t Interpolant::piece_at(double time, std::size_t from) const {
+  const std::span<const double> starts = of_pieces(kStart);
+  std::size_t step = 1;
+  while (from + step < piece_count_ && starts[from + step] <= time) {
+    from += step;
+    step *= 2;
+  }
+  const auto begin = starts.begin() + static_cast<std::ptrdiff_t>(from);
+  const auto end = starts.begin() + static_cast<std::ptrdiff_t>(std::min(from + step, piece_count_));
+  const auto after = std::upper_bound(begin, end, time);
+  return after == begin ? from : static_cast<std::size_t>(after - starts.begin()) - 1;
 }
 
 JointState Interpolant::state(double time) const {
-  if (pieces_.empty() || time <= pieces_.front().time().lower) return start_;
-  if (time >= pieces_.back().time().upper) return end_;
-  const Quintic& piece = pieces_[piece_at(time)];
-  return {piece.derivative(0, time), piece.derivative(1, time)};
+  return piece_count_ == 0 ? state(0, time) : state(piece_at(time), time);
+}
+
+JointState Interpolant::state(std::size_t piece, double time) const {
+  const auto last = static_cast<std::size_t>(knots_.rows()) - 1;
+  if (piece_count_ == 0 || time <= of_pieces(kStart).front()) return {positions().front(), velocities().front()};
+  if (time >= times()[last]) return {positions()[last], velocities()[last]};
+  const std::size_t before = knot_before(piece);
+  return Quintic::state(knot(before), knot(before + 1), time);
 }
 
 double Interpolant::travel(Interval time) const {
-  double way = 0.0;
-  const auto add_piece = [&](const Quintic& piece) {
-    const Interval its = piece.time();
-    way += piece.most(1) * std::max(0.0, std::min(its.upper, time.upper) - std::max(its.lower, time.lower));
-  };
-  walk(time, add_piece, [&](const Block& block) { way += block.travel; });
-  return way;
+  return piece_count_ == 0 ? 0.0 : travel(piece_at(time.lower), piece_at(time.upper), time);
+}
+
+double Interpolant::travel(std::size_t first, std::size_t last, Interval time) const {
+  const double all = travelled(last, time.upper);
+  if (!std::isfinite(all)) return kInfinity;
+  const double way = all - travelled(first, time.lower);
+  // Each piece between the two has rounded a sum that is no more than all of the way.
+  const double rounding = static_cast<double>(last - first + 4) * std::numeric_limits<double>::epsilon() * all;
+  return way == 0.0 ? 0.0 : std::max(0.0, way) + rounding;
+}
+
+/// Bound (rad) on the way from the start to a time during a piece.
+double Interpolant::travelled(std::size_t piece, double time) const {
+  const double duration = durations()[piece];
+  const double left = std::clamp(of_pieces(kStart)[piece] + duration - time, 0.0, duration);
+  return of_pieces(kTravelled)[piece] - left * of_pieces(kSpeed)[piece];
 }
 
 Interpolant::Bounds Interpolant::bounds(Interval time) const {
+  return piece_count_ == 0 ? Bounds() : bounds(piece_at(time.lower), piece_at(time.upper), time);
+}
+
+Interpolant::Bounds Interpolant::bounds(std::size_t first, std::size_t last, Interval time) const {
   Bounds most;
-  if (pieces_.empty() || time.lower >= pieces_.back().time().upper) return most;
-  const auto include = [&most](double speed, double acceleration) {
-    most.speed = std::max(most.speed, speed);
-    most.acceleration = std::max(most.acceleration, acceleration);
-  };
-  walk(
-      time, [&](const Quintic& piece) { include(piece.most(1), piece.most(2)); },
-      [&](const Block& block) { include(block.most.speed, block.most.acceleration); });
+  if (time.lower >= times().back()) return most;
+  const std::span<const double> of_speed = speeds();
+  const std::span<const double> of_acceleration = most_accelerations();
+  for (std::size_t i = first; i <= last;) {
+    const bool is_whole = i % kBlockSize == 0 && i + kBlockSize <= last + 1;
+    const auto block = static_cast<Eigen::Index>(i / kBlockSize);
+    most.speed = std::max(most.speed, is_whole ? blocks_(block, 0) : of_speed[i]);
+    most.acceleration = std::max(most.acceleration, is_whole ? blocks_(block, 1) : of_acceleration[i]);
+    i += is_whole ? kBlockSize : 1;
+  }
   return most;
+}
+
+Interpolant::During Interpolant::during(Interval time) const {
+  const double middle = 0.5 * (time.lower + time.upper);
+  if (piece_count_ == 0) return {state(0, middle), 0.0, {}};
+  const std::size_t first = piece_at(time.lower);
+  const std::size_t in_the_middle = piece_at(middle);
+  const std::size_t last = piece_at(time.upper);
+  return {
+      state(in_the_middle, middle),
+      std::max(travel(first, in_the_middle, {time.lower, middle}), travel(in_the_middle, last, {middle, time.upper})),
+      bounds(first, last, time)};
 }
 
 }  // namespace dualarm

@@ -86,10 +86,6 @@ double JointTorque::second_derivative(const Quintic& piece, double time) const {
                             piece.derivative(3, time), piece.derivative(4, time), 0.0});
 }
 
-double JointTorque::most_second_derivative(const Quintic& piece) const {
-  return std::abs(second_derivative(piece.in_the_middle())) + most_third_derivative(piece) * 0.5 * piece.duration();
-}
-
 double JointTorque::most_third_derivative(const Quintic& piece) const {
   const double speed = piece.most(1);
   return inertia_ * piece.most(5) +

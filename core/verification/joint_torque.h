@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/model/arm.h"
-#include "core/verification/interpolant.h"
 #include "core/verification/peak.h"
+#include "core/verification/quintic.h"
 
 namespace dualarm {
 
@@ -18,6 +18,7 @@ class JointTorque {
 
   double inertia() const { return inertia_; }
   double gravity_amplitude() const { return gravity_.amplitude; }
+  double gravity_phase() const { return gravity_.phase; }
   double friction() const { return friction_; }
 
   /// N m, in a state with an acceleration (rad/s2).
@@ -42,9 +43,6 @@ class JointTorque {
   /// coefficients. Where the torque is constant while inertia and gravity change against each other, it is tight to
   /// rounding and to the fifth power of the piece's length. No tighter than it takes to lie within `enough`.
   Interval over(const Quintic& piece, Interval enough = {0.0, 0.0}) const;
-
-  /// Upper bound on the magnitude of the second derivative, N m/s2, over a piece of motion.
-  double most_second_derivative(const Quintic& piece) const;
 
   /// N m, along a piece of motion. The curvature bound is tight on fastest motions, where the torque is constant while
   /// inertia, gravity and friction change against each other: it takes their sum in the middle of an interval, exactly,

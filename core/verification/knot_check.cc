@@ -12,6 +12,8 @@ namespace dualarm {
 namespace {
 
 bool finite(const Knot& knot) {
+  // A sum that is finite has finite parts.
+  if (std::isfinite(knot.time + knot.position + knot.velocity + knot.acceleration + knot.torque)) return true;
   return std::isfinite(knot.time) && std::isfinite(knot.position) && std::isfinite(knot.velocity) &&
          std::isfinite(knot.acceleration) && std::isfinite(knot.torque);
 }

@@ -1,12 +1,13 @@
 #include "core/verification/limit_check.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <variant>
 
-#include "core/verification/joint_torque.h"
 #include "core/verification/peak.h"
 #include "core/verification/sentence.h"
 #include "core/verification/tolerances.h"
@@ -26,11 +27,11 @@ Quantity velocity_along(const Quintic& piece, double rounding) {
 }
 
 /// The least and the largest value at knots, which use more than all between them.
-void visit_extremes(PeakSearch& search, const std::vector<Knot>& knots, double Knot::*what) {
-  const auto less = [what](const Knot& left, const Knot& right) { return left.*what < right.*what; };
-  for (const auto& knot :
-       {std::min_element(knots.begin(), knots.end(), less), std::max_element(knots.begin(), knots.end(), less)}) {
-    search.visit(knot->time, (*knot).*what);
+void visit_extremes(PeakSearch& search, std::span<const double> times, std::span<const double> values) {
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+  for (const double value : {all.minCoeff<Eigen::PropagateNaN>(), all.maxCoeff<Eigen::PropagateNaN>()}) {
+    const auto at = std::find(values.begin(), values.end(), value);  // nowhere if it is not a number
+    search.visit(at == values.end() ? times.front() : times[at - values.begin()], value);
   }
 }
 
@@ -38,8 +39,9 @@ void visit_extremes(PeakSearch& search, const std::vector<Knot>& knots, double K
 /// the time of its piece, and all of them together are a small part of the motion's own.
 class Forgiveness {
  public:
-  Forgiveness(double free, const std::vector<Knot>& knots) : free_(free) {
-    for (const Knot& knot : knots) left_ = std::max(left_, kMostForgivenVelocity * std::abs(knot.velocity));
+  Forgiveness(double free, std::span<const double> velocities) : free_(free) {
+    const auto [least, most] = std::minmax_element(velocities.begin(), velocities.end());
+    left_ = kMostForgivenVelocity * std::max(-*least, *most);
   }
 
   double of(const Quintic& piece, double rounding) {
@@ -85,21 +87,31 @@ void judge(const Finding& found, const std::string& arm, std::vector<Violation>&
 /// The search of the peak of torque, for limits that stand still and for those that change with the state.
 class TorqueLimitSearch {
  public:
-  TorqueLimitSearch(const JointTorque& torque, const TorqueLimit& limit) : torque_(torque) {
-    if (const auto* constant = std::get_if<Interval>(&limit)) {
+  TorqueLimitSearch(const JointTorque& torque, const NeededTorque& needed, const Arm& arm, const Interpolant& motion)
+      : torque_(torque),
+        needed_(needed),
+        motion_(motion),
+        free_rounding_(kTorqueTolerance * least_half_width(arm.torque)) {
+    if (const auto* constant = std::get_if<Interval>(&arm.torque)) {
       limits_ = *constant;
       constant_.emplace(Share::by_side(limits_), kTorquePeakSlack);
+      visit_extremes(*constant_, motion.times(), needed.at_knots());
     } else {
-      changing_.emplace(torque, limit, kTorquePeakSlack);
+      changing_.emplace(torque, arm.torque, kTorquePeakSlack);
+      for (std::size_t k = 0; k < motion.times().size(); ++k) {
+        changing_->visit(motion.times()[k], {motion.positions()[k], motion.velocities()[k]}, needed.at_knots()[k]);
+      }
     }
   }
 
-  void visit(const Knot& knot) {
-    if (changing_) return changing_->visit(knot);
-    constant_->visit(knot.time, torque_.at({knot.position, knot.velocity}, knot.acceleration));
-  }
+  /// All of the motion at once, if that is proof enough.
+  bool visit_range() { return constant_ && constant_->visit_range(needed_.range(), 0.0); }
 
-  void visit(const Quintic& piece, double rounding) {
+  void visit(std::size_t index) {
+    if (constant_ && constant_->visit_range(needed_.range(index), 0.0)) return;
+    const Quintic piece = motion_.piece(index);
+    if (!forgiveness_) forgiveness_.emplace(free_rounding_, motion_.velocities());
+    const double rounding = forgiveness_->of(piece, torque_.rounding(piece));
     if (changing_) return changing_->visit(piece, rounding);
     const Interval enough = constant_->enough_values();
     const Interval bound = torque_.over(piece, {enough.lower - rounding, enough.upper + rounding});
@@ -118,44 +130,61 @@ class TorqueLimitSearch {
 
  private:
   const JointTorque& torque_;
-  Interval limits_;  // N m, constant ones
+  const NeededTorque& needed_;
+  const Interpolant& motion_;
+  double free_rounding_;                    // N m
+  std::optional<Forgiveness> forgiveness_;  // most motions need none
+  Interval limits_;                         // N m, constant ones
   std::optional<PeakSearch> constant_;
   std::optional<TorquePeakSearch> changing_;
 };
 
+/// Calls visit(index of a piece) for all of a motion, until the budget ends: false then.
+template <typename Visit>
+bool visit_pieces(const Interpolant& motion, const Budget& budget, Visit visit) {
+  for (std::size_t index = 0; index < motion.piece_count(); ++index) {
+    if (budget.exhausted()) return false;
+    visit(index);
+  }
+  return true;
+}
+
 }  // namespace
 
-LimitReport check_limits(const Arm& arm, const std::vector<Knot>& knots, const Interpolant& motion,
-                         const Budget& budget) {
-  const JointTorque torque_of_motion(arm);
+LimitReport check_limits(const Arm& arm, const JointTorque& torque, const NeededTorque& needed,
+                         const Interpolant& motion, const Budget& budget) {
   const Share share_of_range = Share::from_middle(arm.joint_range);
   const Share share_of_velocity = Share::by_side(arm.velocity);
   const double range_tolerance = kStateTolerance / share_of_range.unit();
   PeakSearch range(share_of_range, kPeakSlack * range_tolerance);
   PeakSearch velocity(share_of_velocity, kPeakSlack * kVelocityTolerance);
-  TorqueLimitSearch torque(torque_of_motion, arm.torque);
+  TorqueLimitSearch torque_search(torque, needed, arm, motion);
+  visit_extremes(range, motion.times(), motion.positions());
+  visit_extremes(velocity, motion.times(), motion.velocities());
 
-  visit_extremes(range, knots, &Knot::position);
-  visit_extremes(velocity, knots, &Knot::velocity);
-  for (const Knot& knot : knots) torque.visit(knot);
+  const auto visit_position = [&](std::size_t index) {
+    if (range.visit_range(motion.position_range(index), 0.0)) return;
+    const Quintic piece = motion.piece(index);
+    range.visit(position_along(piece), piece.time());
+  };
   const double most_velocity_rounding = kMostVelocityRounding * share_of_velocity.unit();
-  Forgiveness forgiveness(kTorqueTolerance * least_half_width(arm.torque), knots);
-  bool is_complete = true;
-  for (const Quintic& piece : motion.pieces()) {
-    is_complete = !budget.exhausted();
-    if (!is_complete) break;
-    if (!range.visit_range(piece.range(0), 0.0)) range.visit(position_along(piece), piece.time());
-    const double velocity_rounding = std::min(most_velocity_rounding, piece.velocity_rounding());
-    if (!velocity.visit_range(piece.range(1), velocity_rounding)) {
-      velocity.visit(velocity_along(piece, velocity_rounding), piece.time());
-    }
-    torque.visit(piece, forgiveness.of(piece, torque_of_motion.rounding(piece)));
-  }
+  const auto visit_velocity = [&](std::size_t index) {
+    if (velocity.visit_range(motion.velocity_range(index), 0.0)) return;
+    const Quintic piece = motion.piece(index);
+    velocity.visit(velocity_along(piece, std::min(most_velocity_rounding, piece.velocity_rounding())), piece.time());
+  };
+  // Of most motions all pieces at once are proof enough.
+  const bool is_complete =
+      !budget.exhausted() &&
+      (range.visit_range(motion.position_range(), 0.0) || visit_pieces(motion, budget, visit_position)) &&
+      (velocity.visit_range(motion.velocity_range(), 0.0) || visit_pieces(motion, budget, visit_velocity)) &&
+      (torque_search.visit_range() ||
+       visit_pieces(motion, budget, [&](std::size_t index) { torque_search.visit(index); }));
 
   const std::array<Finding, 3> findings = {
       find(ViolationKind::kJointRange, "position", "rad", range_tolerance, range, arm.joint_range),
       find(ViolationKind::kVelocity, "velocity", "rad/s", kVelocityTolerance, velocity, arm.velocity),
-      torque.finding()};
+      torque_search.finding()};
   const auto utilisation = [&arm](const Finding& found) { return Utilisation{found.proven, arm.name, found.time}; };
   LimitReport report = {utilisation(findings[0]), utilisation(findings[1]), utilisation(findings[2]), is_complete, {}};
   for (const Finding& found : findings) judge(found, arm.name, report.violations);

@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "core/verification/interpolant.h"
+#include "core/verification/joint_torque.h"
+#include "core/verification/needed_torque.h"
 #include "core/verification/verify.h"
 
 namespace dualarm {
@@ -16,8 +18,9 @@ struct LimitReport {
   std::vector<Violation> violations;  ///< kinds kJointRange, kVelocity, kTorque: at most one of each
 };
 
-/// Proven peaks of position, velocity and torque of `arm` (with what it carries) against its limits.
-LimitReport check_limits(const Arm& arm, const std::vector<Knot>& knots, const Interpolant& motion,
-                         const Budget& budget);
+/// Proven peaks of position, velocity and torque of `arm` (with what it carries) against its limits. `torque` and
+/// `needed` are those of the arm and its motion.
+LimitReport check_limits(const Arm& arm, const JointTorque& torque, const NeededTorque& needed,
+                         const Interpolant& motion, const Budget& budget);
 
 }  // namespace dualarm

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 #include <variant>
 
 #include "core/verification/tolerances.h"
@@ -60,28 +59,72 @@ Halves bounds(const TurningBody& carrier, const TurningBody& other, const Eigen:
           nearest - std::max(in_the_middle, farthest_at(half_interval))};
 }
 
-/// Upper bound on n.y over all points y of a capsule and all of the interval, for n that stands still: each end of its
-/// axis goes no farther than its own distance from the axis of turning lets it. Infinite for other shapes.
-double most_along(const TurningBody& body, const Eigen::Vector3d& normal, double half_interval) {
-  const auto* capsule = std::get_if<Capsule>(&body.shape);
-  if (capsule == nullptr) return std::numeric_limits<double>::infinity();
-  const auto most_of_end = [&](const Eigen::Vector3d& end) {
-    const double speed = body.most_rate * body.axis.cross(end - body.origin).norm() + body.velocity.norm();
-    return normal.dot(end) + half_interval * speed;
+/// The same for two capsules: of their axes, less both radii. What an end of the other axis does along n is known to
+/// first order; between the ends nothing is farther than either.
+Halves bounds(const TurningBody& carrier, const Capsule& its, const TurningBody& other, const Capsule& others,
+              const Eigen::Vector3d& normal, double half_interval) {
+  const Eigen::Vector3d turn_of_normal = carrier.rate * carrier.axis.cross(normal);
+  const Eigen::Vector3d turn_of_other = other.rate * other.axis;
+  const double drift = normal.dot(other.velocity - carrier.velocity);
+  struct Along {
+    double value;
+    double rate;
   };
-  return std::max(most_of_end(capsule->start), most_of_end(capsule->end)) + capsule->radius;
+  const auto along = [&](const Eigen::Vector3d& y) {
+    const Eigen::Vector3d from_carrier = y - carrier.origin;
+    return Along{normal.dot(from_carrier),
+                 turn_of_normal.dot(from_carrier) + normal.dot(turn_of_other.cross(y - other.origin)) + drift};
+  };
+  const Along start = along(others.start);
+  const Along end = along(others.end);
+  const auto farthest_at = [&](double time) {
+    return std::max(start.value + time * start.rate, end.value + time * end.rate);
+  };
+  const double nearest =
+      std::min(normal.dot(its.start - carrier.origin), normal.dot(its.end - carrier.origin)) - its.radius -
+      others.radius -
+      0.5 * half_interval * half_interval * most_second_derivative(carrier, other, normal, half_interval);
+  const double in_the_middle = std::max(start.value, end.value);
+  return {nearest - std::max(in_the_middle, farthest_at(-half_interval)),
+          nearest - std::max(in_the_middle, farthest_at(half_interval))};
+}
+
+/// Upper bound on n.y over all points y of a capsule and all of the interval, for n that stands still: each end of its
+/// axis goes no farther than its own distance from the axis of turning lets it.
+double most_along(const TurningBody& body, const Capsule& its, const Eigen::Vector3d& normal, double half_interval) {
+  const double drift = half_interval * body.velocity.norm();
+  const auto most_of_end = [&](const Eigen::Vector3d& end) {
+    return normal.dot(end) + body.most_turn * body.axis.cross(end - body.origin).norm();
+  };
+  return std::max(most_of_end(its.start), most_of_end(its.end)) + its.radius + drift;
+}
+
+/// The better one for each half.
+double better(const Halves& left, const Halves& right) {
+  return std::min(std::max(left.before, right.before), std::max(left.after, right.after));
+}
+
+double bound_of_capsules(const TurningBody& first, const Capsule& its, const TurningBody& second, const Capsule& others,
+                         const Eigen::Vector3d& normal, double half_interval) {
+  const double turning = better(bounds(first, its, second, others, normal, half_interval),
+                                bounds(second, others, first, its, -normal, half_interval));
+  const double standing =
+      -most_along(first, its, -normal, half_interval) - most_along(second, others, normal, half_interval);
+  return std::max(turning, standing);
 }
 
 }  // namespace
 
 double separation_bound(const TurningBody& first, const TurningBody& second, const Eigen::Vector3d& normal,
                         double half_interval) {
-  const Halves with_first = bounds(first, second, normal, half_interval);
-  const Halves with_second = bounds(second, first, -normal, half_interval);
-  const double turning =
-      std::min(std::max(with_first.before, with_second.before), std::max(with_first.after, with_second.after));
-  const double standing = -most_along(first, -normal, half_interval) - most_along(second, normal, half_interval);
-  return std::max(turning, standing) - kSeparationRounding;
+  const auto* first_capsule = std::get_if<Capsule>(&first.shape);
+  const auto* second_capsule = std::get_if<Capsule>(&second.shape);
+  if (first_capsule != nullptr && second_capsule != nullptr) {
+    return bound_of_capsules(first, *first_capsule, second, *second_capsule, normal, half_interval) -
+           kSeparationRounding;
+  }
+  return better(bounds(first, second, normal, half_interval), bounds(second, first, -normal, half_interval)) -
+         kSeparationRounding;
 }
 
 }  // namespace dualarm

@@ -17,8 +17,10 @@ struct TurningBody {
   double rate = 0.0;                                   ///< rad/s, about the axis, in the middle
   double most_rate = 0.0;                              ///< rad/s, largest magnitude
   double most_rate_change = 0.0;                       ///< rad/s2, largest magnitude
+  double most_turn = 0.0;                              ///< rad, from the middle to any other time
   double reach = 0.0;                                  ///< m, of any of the body's points from the axis
   double extent = 0.0;                                 ///< m, of any of the body's points from the origin, >= reach
+  double farthest_way = 0.0;                           ///< m, of any of the body's points from the middle
 };
 
 /// Lower bound (m) on the distance of two convex bodies over an interval of time, by separation: for any unit vector

@@ -3,19 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <variant>
 
-#include "core/verification/joint_torque.h"
 #include "core/verification/sentence.h"
 #include "core/verification/tolerances.h"
 
 namespace dualarm {
 namespace {
-
-/// N m; infinite where the motion needs no number.
-double mismatch(const Knot& knot, const JointTorque& needed) {
-  const double difference = std::abs(knot.torque - needed.at({knot.position, knot.velocity}, knot.acceleration));
-  return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
-}
 
 /// What a residual torque of 1 N m does within `time` of a knot at most, rad, where friction lets velocities grow by a
 /// factor.
@@ -35,76 +30,90 @@ double departure(double duration, const JointTorque& torque) {
                                   : std::min(from_both_knots, departure_within(duration, 1.0, torque));
 }
 
-/// The largest departure, over pieces with their residual torques. Of pieces h long departure(h) / h^2 is no more than
-/// that of the longest one: the exponentials are only worth their time where the piece could be the worst one.
-class LargestDeparture {
- public:
-  LargestDeparture(const JointTorque& torque, const Interpolant& motion) : torque_(torque) {
-    double longest = 0.0;
-    for (const Quintic& piece : motion.pieces()) longest = std::max(longest, piece.duration());
-    if (longest > 0.0) most_per_square_ = departure(longest, torque) / (longest * longest) * kRoundedUp;
-    pieces_.reserve(motion.pieces().size());
+using Column = Eigen::Map<const Eigen::ArrayXd>;
+
+Column column(std::span<const double> numbers) { return {numbers.data(), static_cast<Eigen::Index>(numbers.size())}; }
+
+/// Infinite where a torque is not a number.
+template <typename Torques>
+auto or_infinite(const Torques& torques) {
+  return torques.isNaN().select(std::numeric_limits<double>::infinity(), torques);
+}
+
+/// How far (N m) the written torque is from the one that the motion needs, at each knot.
+Eigen::ArrayXd mismatches(const std::vector<Knot>& knots, const NeededTorque& needed) {
+  Eigen::ArrayXd written(static_cast<Eigen::Index>(knots.size()));
+  std::transform(knots.begin(), knots.end(), written.begin(), [](const Knot& knot) { return knot.torque; });
+  written = (written - column(needed.at_knots())).abs();
+  return or_infinite(written);
+}
+
+/// The largest residual torque (N m) of each piece.
+Eigen::ArrayXd residuals(const NeededTorque& needed, const Eigen::ArrayXd& mismatches, const Interpolant& motion) {
+  Eigen::ArrayXd residuals = or_infinite(column(needed.departures_from_chord()));
+  for (const Interpolant::Run& run : motion.runs()) {
+    const auto knot = static_cast<Eigen::Index>(run.first_knot);
+    const auto count = static_cast<Eigen::Index>(run.piece_count);
+    residuals.segment(static_cast<Eigen::Index>(run.first_piece), count) +=
+        mismatches.segment(knot, count).max(mismatches.segment(knot + 1, count));
   }
+  return residuals;
+}
 
-  void visit(double residual, double duration) {
-    if (residual != 0.0) pieces_.push_back({residual, duration, residual * most_per_square_ * duration * duration});
-  }
-
-  double largest() const {
-    const auto worst = std::max_element(pieces_.begin(), pieces_.end(),
-                                        [](const Piece& left, const Piece& right) { return left.most < right.most; });
-    double largest = worst == pieces_.end() ? 0.0 : exactly(*worst);
-    for (const Piece& piece : pieces_) {
-      if (!(piece.most <= largest)) largest = std::max(largest, exactly(piece));
-    }
-    return largest;
-  }
-
- private:
-  static constexpr double kRoundedUp = 1.0 + 1e-12;
-
-  struct Piece {
-    double residual;  // N m
-    double duration;  // s
-    double most;      // rad
+/// The bound of the header over all pieces. Of pieces h long departure(h) / h^2 is no more than that of the longest
+/// one: the exponentials are only worth their time where the piece could be the worst one.
+double largest_departure(const JointTorque& torque, const Eigen::ArrayXd& residuals, const Interpolant& motion) {
+  if (motion.piece_count() == 0) return 0.0;
+  constexpr double kRoundedUp = 1.0 + 1e-12;
+  const Column durations = column(motion.durations());
+  const double longest = durations.maxCoeff();
+  const double most_per_square = departure(longest, torque) / (longest * longest) * kRoundedUp;
+  const Eigen::ArrayXd squares = residuals * durations * durations;
+  const auto exactly = [&](Eigen::Index i) {
+    return residuals[i] == 0.0 ? 0.0 : residuals[i] * departure(durations[i], torque);
   };
+  Eigen::Index worst = 0;
+  squares.maxCoeff(&worst);
+  double largest = exactly(worst);
+  if (squares[worst] * most_per_square <= largest) return largest;
+  for (Eigen::Index i = 0; i < squares.size(); ++i) {
+    if (!(squares[i] * most_per_square <= largest)) largest = std::max(largest, exactly(i));
+  }
+  return largest;
+}
 
-  double exactly(const Piece& piece) const { return piece.residual * departure(piece.duration, torque_); }
-
-  const JointTorque& torque_;
-  double most_per_square_ = 0.0;
-  std::vector<Piece> pieces_;
+/// The knot whose written torque is the farthest share of its limits' width from the one needed, and that share.
+struct WorstKnot {
+  std::size_t index = 0;
+  double share = 0.0;
 };
+
+WorstKnot worst_knot(const Arm& arm, const Interpolant& motion, const Eigen::ArrayXd& mismatches) {
+  if (const auto* constant = std::get_if<Interval>(&arm.torque)) {
+    Eigen::Index worst = 0;
+    const double most = mismatches.maxCoeff(&worst);
+    return {static_cast<std::size_t>(worst), most / constant->length()};
+  }
+  WorstKnot worst;
+  for (std::size_t k = 0; k < motion.times().size(); ++k) {
+    const double width = torque_limits(arm.torque, motion.positions()[k], motion.velocities()[k]).length();
+    const double share = mismatches[static_cast<Eigen::Index>(k)] / width;
+    if (share > worst.share) worst = {k, share};
+  }
+  return worst;
+}
 
 }  // namespace
 
-TorqueColumnReport check_torque_column(const Arm& arm, const std::vector<Knot>& knots, const Interpolant& motion) {
-  const JointTorque needed(arm);
+TorqueColumnReport check_torque_column(const Arm& arm, const std::vector<Knot>& knots, const JointTorque& torque,
+                                       const NeededTorque& needed, const Interpolant& motion) {
   TorqueColumnReport report;
-  std::size_t worst = 0;
-  double largest_share = 0.0;
-  std::size_t next_piece = 0;
-  LargestDeparture departure(needed, motion);
-  double next_mismatch = mismatch(knots.front(), needed);
-  for (std::size_t k = 0; k < knots.size(); ++k) {
-    const double mismatch_here = next_mismatch;
-    const double share = mismatch_here / torque_limits(arm.torque, knots[k].position, knots[k].velocity).length();
-    if (share > largest_share) {
-      worst = k;
-      largest_share = share;
-    }
-    if (k + 1 == knots.size()) break;
-    next_mismatch = mismatch(knots[k + 1], needed);
-    if (share_a_time(knots[k], knots[k + 1])) continue;
-    const Quintic& piece = motion.pieces()[next_piece++];
-    const double h = piece.duration();
-    const double most_change = needed.most_second_derivative(piece) * h * h / 8.0;
-    departure.visit(most_change + std::max(mismatch_here, next_mismatch), h);
-  }
-  report.max_position_error = departure.largest();
-  if (largest_share > kTorqueColumnTolerance) {
-    const Knot& knot = knots[worst];
-    const double value = needed.at({knot.position, knot.velocity}, knot.acceleration);
+  const Eigen::ArrayXd off = mismatches(knots, needed);
+  report.max_position_error = largest_departure(torque, residuals(needed, off, motion), motion);
+  const WorstKnot worst = worst_knot(arm, motion, off);
+  if (worst.share > kTorqueColumnTolerance) {
+    const Knot& knot = knots[worst.index];
+    const double value = needed.at_knots()[worst.index];
     report.violations.push_back({ViolationKind::kTorqueColumn,
                                  sentence("torque of ", arm.name, " is written as ", knot.torque, " N m at ", knot.time,
                                           " s; its motion needs ", value, " N m"),

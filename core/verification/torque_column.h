@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "core/verification/interpolant.h"
+#include "core/verification/joint_torque.h"
+#include "core/verification/needed_torque.h"
 #include "core/verification/verify.h"
 
 namespace dualarm {
@@ -17,8 +19,8 @@ struct TorqueColumnReport {
 /// there, and bounds where a drive goes that passes through the position and velocity of every knot and applies the
 /// written torque linearly in between.
 ///
-/// The bound: let E be the largest residual torque between two knots h apart, at most M h^2 / 8 by the chord bound
-/// (M >= |tau''|) plus the largest mismatch at the two knots. The departure d from the interpolant obeys
+/// The bound: let E be the largest residual torque between two knots h apart, at most what the needed torque departs
+/// from its chord (NeededTorque) plus the largest mismatch at the two knots. The departure d from the interpolant obeys
 /// |I d'' + b d'| <= E + |G| |d| and begins with d = d' = 0 at either knot. Without friction, at half time,
 ///   |d| <= E / |G| (cosh(k h / 2) - 1) = E h^2 / (8 I) (sinh(y) / y)^2,   k^2 = |G| / I,   y = k h / 4,
 /// by comparison with the equation that takes the equality.
@@ -29,6 +31,8 @@ struct TorqueColumnReport {
 /// a knot time runs backwards and friction drives: K(u) = (exp(b u / I) - 1) / b <= u exp(b u / I) / I, for u <= h / 2
 /// at most u / I c with c = exp(b h / (2 I)): the same bound with I / c for I. Where c is large, the bound from the
 /// knot before over all of h instead of half (four times as much without gravity) is the better one.
-TorqueColumnReport check_torque_column(const Arm& arm, const std::vector<Knot>& knots, const Interpolant& motion);
+/// `torque` and `needed` are those of the arm and its motion.
+TorqueColumnReport check_torque_column(const Arm& arm, const std::vector<Knot>& knots, const JointTorque& torque,
+                                       const NeededTorque& needed, const Interpolant& motion);
 
 }  // namespace dualarm

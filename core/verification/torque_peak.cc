@@ -78,9 +78,8 @@ TorquePeakSearch::TorquePeakSearch(const JointTorque& torque, const TorqueLimit&
       is_by_side_(contain_zero_everywhere(limit)),
       slack_(slack + rounding_slack(limit)) {}
 
-void TorquePeakSearch::visit(const Knot& knot) {
-  const JointState state = {knot.position, knot.velocity};
-  attain({knot.time, state, torque_.at(state, knot.acceleration)}, 0.0);
+void TorquePeakSearch::visit(double time, JointState state, double torque) {
+  attain({time, state, torque}, 0.0);
   proven_ = std::max(proven_, attained_);
 }
 

@@ -27,8 +27,8 @@ class TorquePeakSearch {
   /// `torque` outlives this. The proven peak exceeds the attained one by at most `slack` (share, relative above 1).
   TorquePeakSearch(const JointTorque& torque, const TorqueLimit& limit, double slack);
 
-  /// A state that is passed.
-  void visit(const Knot& knot);
+  /// A state that is passed at a time (s), and the torque (N m) that the motion needs there.
+  void visit(double time, JointState state, double torque);
 
   /// All that happens along a piece of motion; `rounding` (N m) of its torque is forgiven.
   void visit(const Quintic& piece, double rounding);

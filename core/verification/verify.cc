@@ -6,8 +6,10 @@
 #include "core/verification/arc_check.h"
 #include "core/verification/clearance_check.h"
 #include "core/verification/interpolant.h"
+#include "core/verification/joint_torque.h"
 #include "core/verification/knot_check.h"
 #include "core/verification/limit_check.h"
+#include "core/verification/needed_torque.h"
 #include "core/verification/torque_column.h"
 
 namespace dualarm {
@@ -23,7 +25,9 @@ void keep_larger(Utilisation& kept, const Utilisation& other) {
 
 void add_arm(Verification& verification, const Arm& arm, const ArmTrajectory& trajectory, const Interpolant& motion,
              const Budget& budget) {
-  const LimitReport limits = check_limits(arm, trajectory.knots, motion, budget);
+  const JointTorque torque(arm);
+  const NeededTorque needed(torque, motion);
+  const LimitReport limits = check_limits(arm, torque, needed, motion, budget);
   keep_larger(verification.range, limits.range);
   keep_larger(verification.velocity, limits.velocity);
   keep_larger(verification.torque, limits.torque);
@@ -35,7 +39,7 @@ void add_arm(Verification& verification, const Arm& arm, const ArmTrajectory& tr
     return;
   }
 
-  const TorqueColumnReport torques = check_torque_column(arm, trajectory.knots, motion);
+  const TorqueColumnReport torques = check_torque_column(arm, trajectory.knots, torque, needed, motion);
   verification.max_position_error = std::max(verification.max_position_error, torques.max_position_error);
   append(verification.violations, torques.violations);
 

@@ -16,20 +16,22 @@ std::string described(const Range& range) {
 
 }  // namespace
 
-std::string Field::path_to(std::string_view name) const {
-  return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
+std::string Field::path() const {
+  std::string path = parent_ == nullptr ? "" : parent_->path();
+  if (!path.empty() && !name_.empty()) path += '.';
+  path += name_;
+  if (index_ != kNoIndex) path += fmt::format("[{}]", index_);
+  return path;
 }
 
-Field Field::child(std::string_view name) const { return {path_to(name), *violations_, *limits_}; }
+Field Field::child(std::string_view name) const { return child(name, kNoIndex); }
 
-Field Field::child(std::string_view name, int index) const {
-  return {fmt::format("{}[{}]", path_to(name), index), *violations_, *limits_};
-}
+Field Field::child(std::string_view name, int index) const { return {this, name, index, violations_, limits_}; }
 
-void Field::complain(std::string description) const { violations_->add({path_, std::move(description)}); }
+void Field::complain(std::string description) const { violations_.add({path(), std::move(description)}); }
 
 void Field::complain(std::string_view name, std::string description) const {
-  violations_->add({path_to(name), std::move(description)});
+  child(name).complain(std::move(description));
 }
 
 void Field::complain_missing(std::string_view name, std::string_view remedy) const {

@@ -34,21 +34,21 @@ wire::LowerBoundSource source_message(LowerBoundSource source) {
   throw std::logic_error("a LowerBoundSource without a word on the wire");
 }
 
+google::protobuf::RepeatedField<double> column_message(const std::vector<Knot>& knots, double Knot::*value) {
+  google::protobuf::RepeatedField<double> column;
+  column.Resize(static_cast<int>(knots.size()), 0.0);
+  double* entry = column.mutable_data();
+  for (const Knot& knot : knots) *entry++ = knot.*value;
+  return column;
+}
+
 wire::Knots knots_message(const std::vector<Knot>& knots) {
   wire::Knots message;
-  const int count = static_cast<int>(knots.size());
-  message.mutable_time_s()->Reserve(count);
-  message.mutable_position_rad()->Reserve(count);
-  message.mutable_velocity_rad_per_s()->Reserve(count);
-  message.mutable_acceleration_rad_per_s2()->Reserve(count);
-  message.mutable_torque_newton_meters()->Reserve(count);
-  for (const Knot& knot : knots) {
-    message.add_time_s(knot.time);
-    message.add_position_rad(knot.position);
-    message.add_velocity_rad_per_s(knot.velocity);
-    message.add_acceleration_rad_per_s2(knot.acceleration);
-    message.add_torque_newton_meters(knot.torque);
-  }
+  *message.mutable_time_s() = column_message(knots, &Knot::time);
+  *message.mutable_position_rad() = column_message(knots, &Knot::position);
+  *message.mutable_velocity_rad_per_s() = column_message(knots, &Knot::velocity);
+  *message.mutable_acceleration_rad_per_s2() = column_message(knots, &Knot::acceleration);
+  *message.mutable_torque_newton_meters() = column_message(knots, &Knot::torque);
   return message;
 }
 

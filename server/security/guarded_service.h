@@ -1,16 +1,19 @@
 #pragma once
 
+#include "server/calls/open_calls.h"
 #include "server/planning_methods.h"
 #include "server/security/admission.h"
 #include "server/wire.h"
 
 namespace dualarm {
 
-/// The planning service behind its door: every RPC asks the admission, and goes on only where it said OK to the call.
+/// The planning service behind its door: every RPC is refused with UNAVAILABLE once no calls are taken any more; else
+/// it asks the admission, and goes on only where it said OK to the call.
 class GuardedService final : public PlanningMethods {
  public:
-  /// Both must outlive this.
-  GuardedService(PlanningMethods& behind, const Admission& admission) : behind_(behind), admission_(admission) {}
+  /// All must outlive this.
+  GuardedService(PlanningMethods& behind, const Admission& admission, const OpenCalls& open)
+      : behind_(behind), admission_(admission), open_(open) {}
 
   grpc::ServerUnaryReactor* PlanMotion(grpc::CallbackServerContext* context, const wire::PlanMotionRequest* request,
                                        wire::PlanMotionResponse* response) override;
@@ -29,6 +32,7 @@ class GuardedService final : public PlanningMethods {
  private:
   PlanningMethods& behind_;
   const Admission& admission_;
+  const OpenCalls& open_;
 };
 
 }  // namespace dualarm

@@ -1,6 +1,8 @@
 #include "server/security/small_file.h"
 
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace dualarm {
 namespace {
@@ -10,6 +12,9 @@ constexpr std::size_t kMostBytes = 1 << 20;  // a certificate chain has some kil
 }  // namespace
 
 std::optional<std::string> small_file(const std::string& path) {
+  // A pipe would keep the server waiting for somebody to write into it.
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
   std::ifstream stream(path, std::ios::binary);
   std::string text(kMostBytes, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -96,6 +98,107 @@ TEST(PlannerSearch, TellsVerifiedPlansEachFasterThanTheOneBeforeAndTheLastIsTheA
   EXPECT_EQ(durations.back(), std::get<Plan>(unwatched.answer).duration);
   EXPECT_EQ(evaluations, watched.statistics.fallback_evaluation_count);
   EXPECT_GT(watched.statistics.fallback_node_count, 0);
+}
+
+/// Arm 1 starts towards the other one: the passage found takes 1.55 s, and there are motions of 1.07 s.
+Problem poor_passage() {
+  Problem problem = with_moving_ends(random_problem(0), 0, 1.5);
+  for (Task& task : problem.tasks) task.goal.velocity = 0.0;
+  return problem;
+}
+
+Plan analytic_plan(Problem problem) {
+  problem.options.methods = {Method::kSimultaneous, Method::kDelay, Method::kPassage};
+  return must_plan(problem);
+}
+
+TEST(PlannerSearch, GoesOnFromAPlanFarAboveItsBound) {
+  const Problem problem = poor_passage();
+  const Plan analytic = analytic_plan(problem);
+  ASSERT_GT(analytic.certificate.gap, 0.1);
+  std::vector<Plan> told;
+  Observer observer;
+  observer.on_incumbent = [&](const Plan& incumbent) { told.push_back(incumbent); };
+  const Outcome watched = plan(problem, Budget(), observer);
+  const Plan found = must_plan(problem);
+  EXPECT_EQ(found.method, Method::kStateTime);
+  EXPECT_LT(found.duration, 0.75 * analytic.duration);
+  EXPECT_EQ(found.duration, std::get<Plan>(watched.answer).duration);
+  ASSERT_GE(told.size(), 2u);
+  EXPECT_EQ(told.front().method, analytic.method);
+  EXPECT_EQ(told.front().duration, analytic.duration);
+  for (std::size_t i = 1; i < told.size(); ++i) EXPECT_LT(told[i].duration, told[i - 1].duration);
+  EXPECT_EQ(told.back().duration, found.duration);
+}
+
+TEST(PlannerSearch, LeavesAPlanAloneThatIsNearItsBoundOrThatItMayNotImprove) {
+  const Problem near = paper_problem({20, 70}, {60, 20}, 0.05);
+  EXPECT_EQ(plan(near, Budget()).statistics.fallback_evaluation_count, 0);
+  Problem not_allowed = poor_passage();
+  not_allowed.options.methods = {Method::kSimultaneous, Method::kDelay, Method::kPassage};
+  EXPECT_EQ(plan(not_allowed, Budget()).statistics.fallback_evaluation_count, 0);
+}
+
+TEST(PlannerSearch, KeepsThePlanInHandWhateverBecomesOfTheSearch) {
+  const Problem problem = poor_passage();
+  const Observer nobody;
+  const Plan analytic = analytic_plan(problem);
+  PlanningRun run(problem, Budget(), nobody);
+  ASSERT_FALSE(run.quick());
+  const auto in_hand = run.in_hand();
+  ASSERT_TRUE(in_hand);
+  EXPECT_EQ(std::get<Plan>(in_hand->answer).duration, analytic.duration);
+  const Outcome ended = run.search(Budget({}, [] { return true; }));
+  ASSERT_TRUE(std::holds_alternative<Plan>(ended.answer)) << "The search had no time at all.";
+  EXPECT_EQ(std::get<Plan>(ended.answer).duration, analytic.duration);
+
+  const Problem unsolved = forced(problem);
+  PlanningRun searching(unsolved, Budget(), nobody);
+  ASSERT_FALSE(searching.quick());
+  EXPECT_FALSE(searching.in_hand());
+}
+
+/// A budget whose clock goes on by 20 us each time that it is asked.
+Budget counted(double seconds) {
+  const auto now = std::make_shared<Budget::Clock::time_point>();
+  const auto all = std::chrono::duration_cast<Budget::Clock::duration>(std::chrono::duration<double>(seconds));
+  return Budget(Budget::Clock::time_point(all), {}, [now] { return *now += std::chrono::microseconds(20); });
+}
+
+TEST(PlannerSearch, LosesNoPlanToALargerBudget) {
+  const std::vector<Problem> problems = {poor_passage(), forced(paper_problem({10, 40}, {40, 10}, 0.05)),
+                                         forced(random_problem(1)), hard_scene(HardKind::kMovingStarts, 0).problem};
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    SCOPED_TRACE(i);
+    bool is_found = false;
+    for (double seconds = 1e-3; seconds < 2.0; seconds *= 1.5) {
+      const Outcome outcome = plan(problems[i], counted(seconds));
+      const bool has_plan = std::holds_alternative<Plan>(outcome.answer);
+      EXPECT_TRUE(has_plan || !is_found) << "lost at " << seconds << " s";
+      is_found = is_found || has_plan;
+    }
+    EXPECT_TRUE(is_found);
+  }
+}
+
+/// The arms' own motion pays for a swing, which no steering of the search's knows.
+TEST(PlannerSearch, EndsWithDelaysAndPassagesOfTheFastestMotions) {
+  for (const auto& [start, goal] : {std::pair{20.0, 60.0}, {5.0, 50.0}}) {
+    const Problem problem = paper_problem({start, 60}, {goal, 20}, 0.05);
+    Problem few = forced(problem);
+    few.options.seed = 3;
+    EXPECT_LE(must_plan(few).duration, must_plan(problem).duration * (1.0 + 1e-9));
+  }
+}
+
+TEST(PlannerSearch, LooksNearTheTasksInJointRangesOfManyTurns) {
+  Problem problem = paper_problem({10, 40}, {40, 10}, 0.05);
+  const double narrow = must_plan(forced(problem)).duration;
+  for (Arm& arm : problem.arms) arm.joint_range = {-900.0, 900.0};
+  problem.options.methods = {Method::kStateTime};
+  const Outcome outcome = plan(problem, counted(1.0));
+  ASSERT_TRUE(std::holds_alternative<Plan>(outcome.answer));
+  EXPECT_LE(std::get<Plan>(outcome.answer).duration, 1.05 * narrow);
 }
 
 TEST(PlannerSearch, KeepsToTheMemoryThatTheOptionsGiveIt) {

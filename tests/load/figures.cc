@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 namespace dualarm {
 
@@ -26,6 +27,20 @@ double Latencies::quantile(double share) const {
 
 std::string Latencies::summary() const {
   return fmt::format("p50 {:.3f} ms, p99 {:.3f} ms of {}", 1e3 * quantile(0.5), 1e3 * quantile(0.99), count());
+}
+
+// The 14th and 15th word; the second may hold spaces, and ends with the last ')'.
+double processor_seconds(int pid) {
+  constexpr int kWordsBetween = 11;
+  std::string line;
+  std::getline(std::ifstream(fmt::format("/proc/{}/stat", pid)), line);
+  std::istringstream words(line.substr(line.rfind(')') + 1));
+  std::string skipped;
+  for (int i = 0; i < kWordsBetween; ++i) words >> skipped;
+  double user = 0.0;
+  double system = 0.0;
+  words >> user >> system;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 double resident_mebibytes(int pid) {

@@ -26,6 +26,9 @@ class Latencies {
   std::vector<double> seconds_;
 };
 
+/// Processor time that a process has used, s.
+double processor_seconds(int pid);
+
 /// Resident memory of a process, MiB.
 double resident_mebibytes(int pid);
 

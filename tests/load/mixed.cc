@@ -14,6 +14,7 @@
 #include "tests/load/figures.h"
 #include "tests/load/requests.h"
 #include "tests/load/server_child.h"
+#include "tests/server/http_get.h"
 
 namespace dualarm {
 namespace {
@@ -189,6 +190,13 @@ void repeat(const Load& load, const Kind& kind, unsigned seed) {
   while (!load.stops) kind(load, *stub, random);
 }
 
+/// A gauge of the server's metrics, by its name with labels, in MiB.
+double metric_mebibytes(const ServerChild& server, const std::string& name) {
+  const std::string text = http_get(server.metrics_address(), "/metrics");
+  const std::size_t found = text.find("\n" + name + " ");
+  return found == std::string::npos ? 0.0 : std::stod(text.substr(found + name.size() + 2)) / (1024.0 * 1024.0);
+}
+
 /// Mean of a part of the samples.
 double mean(const std::vector<double>& samples, double from, double to) {
   const auto size = static_cast<double>(samples.size());
@@ -207,6 +215,7 @@ int run_mixed_load(double seconds, unsigned seed) {
   std::atomic<bool> stops = false;
   const Load load{server.address(), tally, stops};
   std::vector<double> memory;
+  std::vector<double> used;
   {
     std::vector<std::jthread> threads;
     for (const Kind& kind : {Kind(plan), Kind(plan), Kind(search), Kind(refuse), Kind(stream), Kind(stream),
@@ -218,6 +227,7 @@ int run_mixed_load(double seconds, unsigned seed) {
     for (int i = 0; i < kSamples; ++i) {
       std::this_thread::sleep_for(std::chrono::duration<double>(seconds / kSamples));
       memory.push_back(resident_mebibytes(server.pid()));
+      used.push_back(metric_mebibytes(server, "process_heap_bytes{state=\"used\"}"));
     }
     stops = true;
   }
@@ -229,6 +239,9 @@ int run_mixed_load(double seconds, unsigned seed) {
   fmt::print("memory by tenths, MiB:");
   for (int tenth = 0; tenth < 10; ++tenth) fmt::print(" {:.1f}", mean(memory, 0.1 * tenth, 0.1 * (tenth + 1)));
   fmt::print("; the last against the third {:+.1f} %\n", 100.0 * (last / third - 1.0));
+  fmt::print("of it in use by the heap:");
+  for (int tenth = 0; tenth < 10; ++tenth) fmt::print(" {:.1f}", mean(used, 0.1 * tenth, 0.1 * (tenth + 1)));
+  fmt::print("\n");
   return lives && tally.of("LOST") == 0 && last < 1.05 * third ? 0 : 1;
 }
 

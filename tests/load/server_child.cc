@@ -22,8 +22,8 @@ std::array<int, 2> new_pipe() {
 
 [[noreturn]] void serve(const ServerChild::Start& start, int port_end, int leash) {
   spdlog::set_level(spdlog::level::err);
-  const auto [port, server] = start();
-  if (write(port_end, &port, sizeof port) != sizeof port) _exit(1);
+  const auto [ports, server] = start();
+  if (write(port_end, &ports, sizeof ports) != sizeof ports) _exit(1);
   char byte = 0;
   while (read(leash, &byte, 1) > 0) {
   }
@@ -44,18 +44,22 @@ ServerChild::ServerChild(const Start& start) {
   close(port[1]);
   close(leash[0]);
   leash_ = leash[1];
-  int number = 0;
-  if (read(port[0], &number, sizeof number) != sizeof number) throw std::runtime_error("the server does not start");
+  Ports ports;
+  if (read(port[0], &ports, sizeof ports) != sizeof ports) throw std::runtime_error("the server does not start");
   close(port[0]);
-  address_ = "127.0.0.1:" + std::to_string(number);
+  address_ = "127.0.0.1:" + std::to_string(ports.service);
+  metrics_address_ = "127.0.0.1:" + std::to_string(ports.metrics);
 }
 
 ServerChild::ServerChild(const ServerOptions& options)
     : ServerChild([&options] {
         ServerOptions local = options;
         local.listen = "127.0.0.1:0";
+        local.metrics_listen = "127.0.0.1:0";
         auto server = std::make_shared<PlanningServer>(local, core_functions());
-        return std::pair<int, std::shared_ptr<void>>(server->port(), server);
+        const std::string metrics = server->metrics_address();
+        const Ports ports = {server->port(), std::stoi(metrics.substr(metrics.rfind(':') + 1))};
+        return std::pair<Ports, std::shared_ptr<void>>(ports, server);
       }) {}
 
 ServerChild::~ServerChild() {

@@ -12,8 +12,14 @@ namespace dualarm {
 /// A server in a process of its own, forked from this one: make it before anything of gRPC. Ends with the object.
 class ServerChild {
  public:
-  /// `start` runs in the child; it returns the port it listens on and what has to live as long as the server.
-  using Start = std::function<std::pair<int, std::shared_ptr<void>>()>;
+  /// Where it listens: its port and, where it has one, that of its metrics.
+  struct Ports {
+    int service = 0;
+    int metrics = 0;
+  };
+
+  /// `start` runs in the child; it returns the ports and what has to live as long as the server.
+  using Start = std::function<std::pair<Ports, std::shared_ptr<void>>()>;
   explicit ServerChild(const Start& start);
 
   /// A PlanningServer with core behind it, on a free port of loopback.
@@ -24,11 +30,13 @@ class ServerChild {
   ServerChild& operator=(const ServerChild&) = delete;
 
   const std::string& address() const { return address_; }
+  const std::string& metrics_address() const { return metrics_address_; }
   int pid() const { return pid_; }
   bool is_alive() const;
 
  private:
   std::string address_;
+  std::string metrics_address_;
   int pid_ = 0;
   int leash_ = -1;  // the child ends when it is closed
 };

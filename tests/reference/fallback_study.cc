@@ -29,13 +29,26 @@ struct Run {
   std::string why;
 };
 
+/// s, of this thread: what else runs on the machine does not count.
+double processor_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Budget::Clock::time_point processor_time() {
+  return Budget::Clock::time_point(
+      std::chrono::duration_cast<Budget::Clock::duration>(std::chrono::duration<double>(processor_seconds())));
+}
+
+/// Budget and seconds are of the thread's processor: those of a core that does nothing else.
 Run run(Problem problem, bool is_forced, double seconds) {
   if (is_forced) problem.options.methods = {Method::kStateTime};
-  const auto begin = Budget::Clock::now();
+  const auto begin = processor_time();
   const auto limit = std::chrono::duration_cast<Budget::Clock::duration>(std::chrono::duration<double>(seconds));
-  const Outcome outcome = plan(problem, Budget(begin + limit));
+  const Outcome outcome = plan(problem, Budget(begin + limit, {}, processor_time));
   Run run;
-  run.seconds = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
+  run.seconds = std::chrono::duration<double>(processor_time() - begin).count();
   run.evaluations = outcome.statistics.fallback_evaluation_count;
   if (const auto* found = std::get_if<Plan>(&outcome.answer)) {
     run.duration = found->duration;
@@ -117,13 +130,6 @@ void moving(int count) {
   }
   std::printf("%d undecided\n", undecided);
   summarise("moving", count, gaps, seconds);
-}
-
-/// s, of this thread: what else runs on the machine does not count.
-double processor_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// How much longer a search computes after it was cancelled, milliseconds: at times from 2 to 400 ms.

@@ -8,27 +8,30 @@ namespace {
 
 class FakeSteps final : public PlanningSteps {
  public:
-  FakeSteps(std::function<Outcome(const Budget&)> planning, const Budget& budget, bool searches)
-      : planning_(std::move(planning)), budget_(budget), searches_(searches) {}
+  FakeSteps(std::function<Outcome(const Budget&)> planning, const Budget& budget, bool searches,
+            std::optional<Outcome> in_hand)
+      : planning_(std::move(planning)), budget_(budget), searches_(searches), in_hand_(std::move(in_hand)) {}
 
   std::optional<Outcome> quick() override {
     if (searches_) return std::nullopt;
     return planning_(budget_);
   }
+  std::optional<Outcome> in_hand() override { return in_hand_; }
   Outcome search(const Budget& budget) override { return planning_(budget); }
 
  private:
   std::function<Outcome(const Budget&)> planning_;
   Budget budget_;
   bool searches_;
+  std::optional<Outcome> in_hand_;
 };
 
-BeginPlanning steps_of(FakePlanning planning, bool searches) {
-  return [planning, searches](const Problem& problem, const Budget& budget, const Observer& observer) {
+BeginPlanning steps_of(FakePlanning planning, bool searches, std::optional<Outcome> in_hand = {}) {
+  return [planning, searches, in_hand](const Problem& problem, const Budget& budget, const Observer& observer) {
     const auto plan = [planning, &problem, &observer](const Budget& given) {
       return planning(problem, given, observer);
     };
-    return std::make_unique<FakeSteps>(plan, budget, searches);
+    return std::make_unique<FakeSteps>(plan, budget, searches, in_hand);
   };
 }
 
@@ -37,6 +40,10 @@ BeginPlanning steps_of(FakePlanning planning, bool searches) {
 BeginPlanning quick_planning(FakePlanning planning) { return steps_of(std::move(planning), false); }
 
 BeginPlanning search_planning(FakePlanning planning) { return steps_of(std::move(planning), true); }
+
+BeginPlanning search_planning(FakePlanning planning, Outcome in_hand) {
+  return steps_of(std::move(planning), true, std::move(in_hand));
+}
 
 PlanningFunctions quick_functions() {
   return {quick_planning([](const Problem&, const Budget&, const Observer&) {

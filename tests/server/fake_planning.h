@@ -13,8 +13,9 @@ using BeginPlanning = decltype(PlanningFunctions::begin_planning);
 /// quick() answers by `planning`.
 BeginPlanning quick_planning(FakePlanning planning);
 
-/// quick() gives nothing, search() answers by `planning`.
+/// quick() gives nothing, search() answers by `planning`; without a plan in hand, or with one.
 BeginPlanning search_planning(FakePlanning planning);
+BeginPlanning search_planning(FakePlanning planning, Outcome in_hand);
 
 /// Functions that answer at once: an Undecided, a Verification without violations, one contour, a portrait without
 /// curves.

@@ -131,6 +131,8 @@ TEST(Server, LogsRegionsThatTakeTooLong) {
   grpc::ClientContext context;
   wire::GetForbiddenRegionResponse region;
   EXPECT_EQ(stub->GetForbiddenRegion(&context, request, &region).error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
+  process.signal(SIGTERM);  // the line comes after the answer
+  EXPECT_EQ(process.wait_for_exit(), 0);
   EXPECT_THAT(process.log(), HasSubstr("GetForbiddenRegion DEADLINE_EXCEEDED"));
 }
 

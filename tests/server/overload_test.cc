@@ -95,6 +95,27 @@ TEST(Overload, ASearchTooManyIsRefusedAtOnceWithARetryDelay) {
   EXPECT_EQ(running.response.undecided().explanation(), "searched");
 }
 
+TEST(Overload, APlanInHandIsAnsweredWhereNoSearchThreadIsFreeForABetterOne) {
+  std::latch searching(1);
+  std::promise<void> release;
+  const PlanningFunctions functions = functions_with(search_planning(
+      [&](const auto&...) {
+        searching.count_down();
+        release.get_future().wait();
+        return Outcome{plan_of(1.0), {}};
+      },
+      Outcome{plan_of(2.0), {}}));
+  const TestServer server(functions, one_search_at_a_time(5));
+  Call running(server, request_with_seed(0));
+  searching.wait();
+  Call beside(server, request_with_seed(0));
+  ASSERT_TRUE(beside.status.get().ok());
+  EXPECT_EQ(beside.response.plan().duration_s(), 2.0);
+  release.set_value();
+  ASSERT_TRUE(running.status.get().ok());
+  EXPECT_EQ(running.response.plan().duration_s(), 1.0);
+}
+
 TEST(Overload, SixtyFourSearchesKeepNeitherQuickPlansNorHealthNorDrawingsWaiting) {
   Searches searches;
   const TestServer server(searches.functions(), one_search_at_a_time(63));

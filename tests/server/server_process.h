@@ -23,6 +23,7 @@ class ServerProcess {
   /// Waits until it has written its port; "" if it ended before.
   std::string wait_for_address();
 
+  pid_t pid() const { return pid_; }
   void signal(int number) const;
 
   /// Waits for its end: exit status, or -1 if a signal killed it.

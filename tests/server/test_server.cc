@@ -32,8 +32,9 @@ ServerOptions patient_options() {
   return options;
 }
 
-TestServer::TestServer(PlanningFunctions functions, ServerOptions options) {
+TestServer::TestServer(PlanningFunctions functions, ServerOptions options, bool tries_inline) {
   options.listen = address();
+  if (!tries_inline) options.inline_milliseconds = 0.0;  // fakes of planning block, and heed no budget
   server_ = std::make_unique<PlanningServer>(options, std::move(functions));
 }
 

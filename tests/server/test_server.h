@@ -31,7 +31,8 @@ ServerOptions patient_options();
 /// A PlanningServer on a private unix socket, in this process.
 class TestServer {
  public:
-  explicit TestServer(PlanningFunctions functions = quick_functions(), ServerOptions options = {});
+  explicit TestServer(PlanningFunctions functions = quick_functions(), ServerOptions options = {},
+                      bool tries_inline = false);
 
   PlanningServer& server() { return *server_; }
   std::string address() const { return "unix:" + (folder_.path() / "socket").string(); }

@@ -50,6 +50,22 @@ TEST_F(ItineraryTest, TracksFollowTheSchedule) {
   }
 }
 
+TEST_F(ItineraryTest, LeavesInTimeByASmallStepAndWaitsThere) {
+  const double duration = itinerary_.duration();
+  ASSERT_TRUE(itinerary_.leave_by(0, 0.02));
+  EXPECT_EQ(itinerary_.leg_count(0), 3);
+  EXPECT_EQ(itinerary_.first_start(0), 0.02);
+  EXPECT_NEAR(itinerary_.goal(0, 0).position, 0.2, 2e-3);
+  EXPECT_GT(itinerary_.goal(0, 0).position, 0.2);
+  EXPECT_NEAR(itinerary_.duration(), duration, 1e-12);
+  itinerary_.set_wait(0, 0, 0.07);
+  ASSERT_TRUE(itinerary_.leave_by(0, 0.0));
+  EXPECT_EQ(itinerary_.leg_count(0), 3) << "One small step is enough.";
+  EXPECT_EQ(itinerary_.first_start(0), 0.0);
+  EXPECT_NEAR(itinerary_.duration(), duration + 0.05, 1e-12);
+  EXPECT_TRUE(itinerary_.leave_by(1, 0.0)) << "It never moves.";
+}
+
 TEST_F(ItineraryTest, MovesARestAndKeepsWhatItIsTold) {
   const double next_start = 0.1 + out_ + 0.3;
   const double arrival = next_start + back_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/phase_plane/metered_system.h"
 #include "tests/core/fallback/scenes.h"
 
 namespace dualarm {
@@ -92,6 +93,19 @@ TEST(Steering, StretchesAMotionToADurationBetweenItsFastestAndOneWithAStop) {
   }
   EXPECT_FALSE(stretched(system, from, to, 0.9 * fastest));
   EXPECT_FALSE(stretched(system, from, to, 100.0));
+}
+
+TEST(Steering, GivesUpStretchingWhenTheBudgetRunsOut) {
+  const ArmSystems arms(retreat_problem());
+  const MeteredSystem system(*arms.both()[0]);
+  const JointState from = {0.3, 0.4};
+  const JointState to = {1.4, 0.4};
+  const double longer = steering_time(system, from, to) + 0.2;
+  const long begin = system.count();
+  ASSERT_TRUE(stretched(system, from, to, longer));
+  const long whole = system.count() - begin;
+  EXPECT_FALSE(stretched(system, from, to, longer, Budget({}, [] { return true; })));
+  EXPECT_LT(system.count() - begin - whole, whole / 2);
 }
 
 TEST(Steering, HoldsOnlyWhereTorqueSufficesAndInsideTheRange) {

@@ -39,6 +39,23 @@ TEST(Budget, LeavesRoomForALastStep) {
   EXPECT_TRUE(Budget(Budget::Clock::now() - Seconds(1)).leaving(0.2, milliseconds(250)).exhausted());
 }
 
+TEST(Budget, KeepsToTheClockItIsGivenInAllItsParts) {
+  Budget::Clock::time_point now = {};
+  const Budget whole(Budget::Clock::time_point(Seconds(10)), {}, [&] { return now; });
+  const Budget part = whole.part(0.5);
+  const Budget room = whole.leaving(0.2, Seconds(10));
+  EXPECT_FALSE(part.exhausted());
+  now += Seconds(6);
+  EXPECT_TRUE(part.exhausted());
+  EXPECT_FALSE(room.exhausted());
+  EXPECT_FALSE(room.part(0.9).exhausted());
+  now += Seconds(3);
+  EXPECT_TRUE(room.exhausted());
+  EXPECT_FALSE(whole.exhausted());
+  now += Seconds(1);
+  EXPECT_TRUE(whole.exhausted());
+}
+
 TEST(Budget, RoomForALastStepIsCancelledWithTheWhole) {
   bool cancelled = false;
   const Budget room = Budget(Budget::Clock::now() + Seconds(3600), [&] { return cancelled; }).leaving(0.2, Seconds(1));

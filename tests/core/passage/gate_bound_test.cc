@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/phase_plane/metered_system.h"
 #include "tests/core/passage/scene_travellers.h"
 #include "tests/support/problems.h"
 
@@ -93,6 +94,22 @@ TEST(GateBound, AsksForTheDetourOnlyOfAGateOnWhichTheOtherArmStands) {
 TEST(GateBound, IsInfiniteWhereAnArmCannotBe) {
   const SceneTravellers scene(paper_problem({30, 60}, {60, 30}));
   EXPECT_TRUE(std::isinf(gate_bound(scene.travellers, {0, 3.2, 1.0, true}).duration));
+}
+
+TEST(GateBound, IsSmallerWithLessWorkWhenTheBudgetRunsOut) {
+  for (const auto& [start, goal] : {std::pair{5.0, 50.0}, {10.0, 40.0}, {20.0, 60.0}}) {
+    const SceneTravellers scene(paper_problem({start, 60}, {goal, 10}));
+    const std::array<MeteredSystem, 2> metered = {MeteredSystem(scene.systems[0]), MeteredSystem(scene.systems[1])};
+    Travellers travellers = scene.travellers;
+    for (int arm = 0; arm < kArmCount; ++arm) travellers[arm].system = &metered[arm];
+    const Gate tip = {0, kTip, kTip, true};
+    const double bound = gate_bound(travellers, tip).duration;
+    const long whole = metered[0].count() + metered[1].count();
+    const double less = gate_bound(travellers, tip, nullptr, 0.0, Budget({}, [] { return true; })).duration;
+    EXPECT_LT(less, bound);
+    EXPECT_GE(less, std::max(travellers[0].fastest.duration(), travellers[1].fastest.duration()));
+    EXPECT_LT(metered[0].count() + metered[1].count() - whole, whole);
+  }
 }
 
 TEST(GateBound, RunsBothWays) {

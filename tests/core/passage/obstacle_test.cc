@@ -45,6 +45,15 @@ TEST(Obstacle, PartsStartAndGoalOnBothSidesOfTheLensByEveryRayAtItsTip) {
   }
 }
 
+TEST(Obstacle, IsKnownLessWhenTheBudgetRunsOut) {
+  const Lens whole(lens_problem(0.1), {10, 60}, {60, 10});
+  const Budget none({}, [] { return true; });
+  const Obstacle part(whole.plane, {in_radians(10), in_radians(60)}, {in_radians(60), in_radians(10)},
+                      *whole.plane.slice_through(0, in_radians(30.0), in_radians(30.0)), none);
+  EXPECT_EQ(part.slices().size(), 1u);
+  EXPECT_GT(whole.obstacle.slices().size(), 1u);
+}
+
 TEST(Obstacle, PartsNothingWhereStartAndGoalLieOnOneSideOfTheLens) {
   Lens lens(lens_problem(0.1), {10, 60}, {20, 70});
   const int closed = lens.obstacle.is_closed(0) ? 0 : 1;

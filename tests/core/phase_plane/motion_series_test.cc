@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <numbers>
 
@@ -50,6 +51,15 @@ TEST(MotionSeries, IsTheMotionAsFarAsItReaches) {
     if (dice.happens(0.3)) arm.viscous_friction = dice.between(0.0, 5.0);
     expect_the_motion(arm, {dice.between(-3.0, 3.0), dice.happens(0.3) ? 0.0 : dice.between(-3.0, 3.0)});
   }
+}
+
+TEST(MotionSeries, SaysTheSameOfSeveralTimesAtOnce) {
+  const SingleJointArm system(pendulum(39.0, 29.43, 60.0));
+  const auto series = MotionSeries::about(system, Extreme::kHighest, {0.3, 0.4});
+  ASSERT_TRUE(series);
+  const std::array<double, 4> times = {-0.1, 0.0, 0.05, 0.2};
+  const auto states = series->at(times);
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(states[i], series->at(times[i]));
 }
 
 TEST(MotionSeries, KnowsItsReachWhereMostTermsVanish) {

@@ -104,6 +104,18 @@ TEST_F(Playback, HoldsBeforeAndAfterTheMotion) {
   }
 }
 
+TEST_F(Playback, ArrivesWithThePlanWhereOnlyRoundingIsLeftToWait) {
+  const Profile profile = motion(0.5, 1.5);
+  const double duration = profile.duration() + 5e-11;
+  const ArmTrajectory played = play(arm_, system_, {{0.0, profile}}, duration, 0.05);
+  EXPECT_EQ(played.arcs.back().kind, ArcKind::kBrake);
+  EXPECT_EQ(played.arcs.back().end_time, duration);
+  EXPECT_EQ(played.knots.back().time, duration);
+  EXPECT_EQ(played.knots.back().position, 1.5);
+  const ArmTrajectory waits = play(arm_, system_, {{0.0, profile}}, profile.duration() + 1e-9, 0.05);
+  EXPECT_EQ(waits.arcs.back().kind, ArcKind::kHold);
+}
+
 TEST_F(Playback, KeepsTheKnotPeriodWhileItMoves) {
   const ArmTrajectory played = play(arm_, system_, {{0.0, motion(0.2, 1.4)}}, 3.0, 0.02);
   for (std::size_t i = 0; i + 1 < played.knots.size(); ++i) {

@@ -1,9 +1,13 @@
 #include "core/systems/single_joint_arm.h"
 
+#include <array>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "tests/core/phase_plane/test_arms.h"
 #include "tests/core/systems/limited_arms.h"
+#include "tests/support/dice.h"
 
 namespace dualarm {
 namespace {
@@ -47,6 +51,55 @@ TEST(SingleJointArm, HasNoBoundsWithFrictionAndEndlessVelocity) {
   arm.viscous_friction = 0.5;
   EXPECT_EQ(SingleJointArm(arm).acceleration_bounds().lower, -std::numeric_limits<double>::infinity());
   EXPECT_EQ(SingleJointArm(arm).acceleration_bounds().upper, std::numeric_limits<double>::infinity());
+}
+
+/// Steps from far too small to far too large to share a sine, and limits of every kind.
+TEST(SingleJointArm, DrivesAlongAMotionAreThoseOfItsStates) {
+  Dice dice(31);
+  Arm arm = pendulum(4.0, 3.0, 9.0);
+  for (int trial = 0; trial < 500; ++trial) {
+    SCOPED_TRACE(trial);
+    arm.gravity.phase = dice.between(-3.0, 3.0);
+    arm.viscous_friction = dice.happens(0.3) ? 0.5 : 0.0;
+    arm.torque = dice.happens(0.8) ? TorqueLimit(Interval{-9.0, 7.0}) : TorqueSpeedLine{8.0, 4.0};
+    const SingleJointArm system(arm);
+    const double step = std::pow(10.0, dice.between(-9.0, 0.0));
+    std::vector<JointState> states = {{dice.between(-9.0, 9.0), 0.0}};
+    const auto count = static_cast<std::size_t>(dice.between(1.0, 40.0));
+    while (states.size() < count) {
+      states.push_back({states.back().position + step * dice.between(-0.5, 1.0), dice.between(-3.0, 3.0)});
+    }
+    for (const auto extreme :
+         {std::optional(Extreme::kLowest), std::optional(Extreme::kHighest), std::optional<Extreme>()}) {
+      const std::vector<SingleJointArm::Drive> drives = system.drives(extreme, states);
+      ASSERT_EQ(drives.size(), states.size());
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        const SingleJointArm::Drive expected = system.drive(extreme, states[i]);
+        ASSERT_NEAR(drives[i].acceleration, expected.acceleration, 2e-15);
+        ASSERT_NEAR(drives[i].torque, expected.torque, 5e-15);
+        ASSERT_EQ(drives[i].span, expected.span);
+      }
+    }
+  }
+}
+
+TEST(SingleJointArm, TheSixthDerivativeIsNoLargerThanItsBound) {
+  Dice dice(32);
+  double closest = 0.0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    Arm arm = pendulum(dice.between(1.0, 9.0), dice.between(-9.0, 9.0), dice.between(1.0, 30.0));
+    arm.viscous_friction = dice.happens(0.5) ? dice.between(0.0, 5.0) : 0.0;
+    const SingleJointArm system(arm);
+    const JointState state = {dice.between(-3.0, 3.0), dice.between(-3.0, 3.0)};
+    const Extreme extreme = dice.happens(0.5) ? Extreme::kLowest : Extreme::kHighest;
+    std::array<double, 7> way;
+    ASSERT_TRUE(system.extremal_series(extreme, state, way));
+    const double bound =
+        system.most_sixth_derivative(std::abs(state.velocity), std::abs(system.drive(extreme, state).acceleration));
+    ASSERT_LE(std::abs(720.0 * way[6]), bound * (1.0 + 1e-12)) << trial;
+    closest = std::max(closest, std::abs(720.0 * way[6]) / bound);
+  }
+  EXPECT_GT(closest, 0.8);
 }
 
 }  // namespace

@@ -15,8 +15,10 @@ namespace {
 
 using testing::IsEmpty;
 
-LimitReport limits_of(const Arm& arm, const std::vector<Knot>& knots) {
-  return check_limits(arm, knots, Interpolant(knots), Budget());
+LimitReport limits_of(const Arm& arm, const std::vector<Knot>& knots, const Budget& budget = Budget()) {
+  const Interpolant motion(knots);
+  const JointTorque torque(arm);
+  return check_limits(arm, torque, NeededTorque(torque, motion), motion, budget);
 }
 
 TEST(LimitCheck, AMotionThatRidesOnTheTorqueLimitUnderGravityIsAtOneAndNotAbove) {
@@ -153,7 +155,7 @@ TEST(LimitCheck, AnExhaustedBudgetIsNotAProof) {
   const std::vector<Knot> knots = parabolic_motion(problem, {0.0, 0.0})[0].knots;
   EXPECT_TRUE(limits_of(problem.arms[0], knots).is_complete);
   const Budget spent(Budget::Clock::now());
-  EXPECT_FALSE(check_limits(problem.arms[0], knots, Interpolant(knots), spent).is_complete);
+  EXPECT_FALSE(limits_of(problem.arms[0], knots, spent).is_complete);
 }
 
 }  // namespace

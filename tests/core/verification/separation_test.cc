@@ -38,8 +38,10 @@ struct Turning {
             rate,
             std::abs(rate) + half_interval * std::abs(rate_change),
             std::abs(rate_change),
+            half_interval * (std::abs(rate) + 0.5 * half_interval * std::abs(rate_change)),
             axis == Eigen::Vector3d::UnitZ() ? reach(shape) : extent(shape),
-            extent(shape)};
+            extent(shape),
+            0.0};
   }
 };
 

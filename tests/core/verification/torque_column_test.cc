@@ -13,6 +13,12 @@
 namespace dualarm {
 namespace {
 
+TorqueColumnReport column_of(const Arm& arm, const std::vector<Knot>& knots) {
+  const Interpolant motion(knots);
+  const JointTorque torque(arm);
+  return check_torque_column(arm, knots, torque, NeededTorque(torque, motion), motion);
+}
+
 /// One smooth swing of the paper's arm in `count` equal pieces of a single quintic, with the torques it needs.
 std::vector<Knot> smooth_swing(const Arm& arm, int count) {
   const Quintic whole({0.0, 0.5, 0.0, 0.0, 0.0}, {1.5, 1.3, 0.0, 0.0, 0.0});
@@ -67,7 +73,7 @@ TEST(TorqueColumn, ThePositionErrorBoundsWhatADriveDoesAndNotByFar) {
   for (const int count : {2, 5, 15, 50, 150}) {
     SCOPED_TRACE(count);
     const std::vector<Knot> knots = smooth_swing(arm, count);
-    const TorqueColumnReport report = check_torque_column(arm, knots, Interpolant(knots));
+    const TorqueColumnReport report = column_of(arm, knots);
     EXPECT_THAT(report.violations, testing::IsEmpty());
     const double simulated = simulated_departure(arm, knots);
     EXPECT_GE(report.max_position_error, simulated - 1e-13);
@@ -85,9 +91,9 @@ TEST(TorqueColumn, ThePositionErrorBoundsWhatADriveWithFrictionDoesAndNotByFar) 
     for (const int count : {2, 5, 15, 50, 150}) {
       SCOPED_TRACE(testing::Message() << friction << " N m s, " << count);
       std::vector<Knot> knots = smooth_swing(arm, count);
-      EXPECT_THAT(check_torque_column(arm, knots, Interpolant(knots)).violations, testing::IsEmpty());
+      EXPECT_THAT(column_of(arm, knots).violations, testing::IsEmpty());
       for (Knot& knot : knots) knot.torque += 0.01;
-      const double bound = check_torque_column(arm, knots, Interpolant(knots)).max_position_error;
+      const double bound = column_of(arm, knots).max_position_error;
       const double simulated = simulated_departure(arm, knots);
       EXPECT_GE(bound, simulated - 1e-13);
       if (count >= 50) {
@@ -105,7 +111,7 @@ TEST(TorqueColumn, FrictionThatDrivesBackwardsInTimeIsCounted) {
     constexpr double kDuration = 0.5;
     arm.viscous_friction = 2.0 * exponent * arm.inertia / kDuration;
     const std::vector<Knot> knots = {{0.0, 1.0, 0.0, 0.0, 2.0}, {kDuration, 1.0, 0.0, 0.0, 2.0}};
-    const double bound = check_torque_column(arm, knots, Interpolant(knots)).max_position_error;
+    const double bound = column_of(arm, knots).max_position_error;
     const double simulated = simulated_departure(arm, knots);
     EXPECT_GE(bound, simulated);
     EXPECT_LE(bound, std::exp(exponent) * simulated);
@@ -117,7 +123,7 @@ TEST(TorqueColumn, TheErrorFallsWithTheFourthPowerOfTheKnotPeriod) {
   const Arm arm = paper_problem({30.0, 90.0}, {75.0, 90.0}).arms[0];
   const auto error = [&](int count) {
     const std::vector<Knot> knots = smooth_swing(arm, count);
-    return check_torque_column(arm, knots, Interpolant(knots)).max_position_error;
+    return column_of(arm, knots).max_position_error;
   };
   EXPECT_NEAR(error(50) / error(100), 16.0, 3.0);
 }
@@ -125,7 +131,7 @@ TEST(TorqueColumn, TheErrorFallsWithTheFourthPowerOfTheKnotPeriod) {
 TEST(TorqueColumn, ALongRestWithTheRightTorqueHasNoError) {
   const Problem problem = paper_problem({90.0, 90.0}, {90.0, 90.0});
   const std::vector<Knot> knots = resting_motion(problem, 1000.0)[0].knots;
-  EXPECT_EQ(check_torque_column(problem.arms[0], knots, Interpolant(knots)).max_position_error, 0.0);
+  EXPECT_EQ(column_of(problem.arms[0], knots).max_position_error, 0.0);
 }
 
 TEST(TorqueColumn, TheWorstKnotIsNamed) {
@@ -133,7 +139,7 @@ TEST(TorqueColumn, TheWorstKnotIsNamed) {
   std::vector<Knot> knots = smooth_swing(arm, 15);
   knots[3].torque += 0.01;
   knots[7].torque += 0.02;
-  const TorqueColumnReport report = check_torque_column(arm, knots, Interpolant(knots));
+  const TorqueColumnReport report = column_of(arm, knots);
   ASSERT_EQ(report.violations.size(), 1u);
   EXPECT_EQ(report.violations[0].kind, ViolationKind::kTorqueColumn);
   EXPECT_EQ(report.violations[0].time, knots[7].time);

@@ -25,7 +25,9 @@ using testing::IsEmpty;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 LimitReport limits_of(const Arm& arm, const std::vector<Knot>& knots) {
-  return check_limits(arm, knots, Interpolant(knots), Budget());
+  const Interpolant motion(knots);
+  const JointTorque torque(arm);
+  return check_limits(arm, torque, NeededTorque(torque, motion), motion, Budget());
 }
 
 /// A drive that fades with speed and is weaker in some places than in others, differently up and down.

@@ -1,0 +1,146 @@
+#include "server/calls/planning_task.h"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "server/errors.h"
+#include "server/logging/logs.h"
+#include "server/response/responses.h"
+
+namespace dualarm {
+namespace {
+
+std::chrono::nanoseconds work_of_this_thread() {
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+std::string note_on(const wire::PlanMotionResponse& response) {
+  switch (response.outcome_case()) {
+    case wire::PlanMotionResponse::kPlan:
+      return fmt::format("plan {} duration_s={:.6f} gap={:.2e}", wire::Method_Name(response.plan().method()),
+                         response.plan().duration_s(), response.plan().certificate().gap());
+    case wire::PlanMotionResponse::kInfeasible:
+      return fmt::format("infeasible {}", wire::Reason_Name(response.infeasible().reason()));
+    case wire::PlanMotionResponse::kUndecided:
+      return "undecided";
+    case wire::PlanMotionResponse::OUTCOME_NOT_SET:
+      break;
+  }
+  return "valid";
+}
+
+}  // namespace
+
+PlanningTask::PlanningTask(const Planner& planner, const Caller& caller, const wire::PlanMotionRequest& request,
+                           wire::PlanMotionResponse& response, WhenFull when_full, Done done, Observer observer)
+    : planner_(planner),
+      caller_(caller),
+      request_(request),
+      response_(response),
+      when_full_(when_full),
+      done_(std::move(done)),
+      observer_(std::move(observer)) {}
+
+void PlanningTask::start() {
+  if (!submit(planner_.pools.quick, &PlanningTask::begin, Queue::kYes)) finish({overloaded(), "queue full"});
+}
+
+void PlanningTask::start_here() {
+  if (planner_.trial == std::chrono::nanoseconds::zero() || planner_.pools.quick.waiting() > 0) return start();
+  std::optional<Answer> answer;
+  {
+    const Place place = planner_.trials.take();
+    if (!place) return start();
+    trial_ = {Clock::now() + planner_.trial, work_of_this_thread() + planner_.trial};
+    answer = answer_of(caller_.rpc(), request_, [this] { return plan_quickly(); });
+  }
+  const bool is_over = trial_->is_over;
+  if (!is_over) return go_on(std::move(answer));
+  steps_.reset();
+  trial_.reset();
+  start();
+}
+
+bool PlanningTask::submit(WorkerPool& pool, void (PlanningTask::*step)(), Queue queue) {
+  submitted_ = Clock::now();
+  WorkerPool::Task task = [this, step] {
+    waited_ += Clock::now() - submitted_;
+    (this->*step)();
+  };
+  if (when_full_ == WhenFull::kRefuse) {
+    return queue == Queue::kYes ? pool.try_submit(std::move(task)) : pool.try_submit_at_once(std::move(task));
+  }
+  pool.submit(std::move(task));
+  return true;
+}
+
+void PlanningTask::begin() {
+  go_on(answer_of(caller_.rpc(), request_, [this] { return plan_quickly(); }));
+}
+
+// Once it is handed to the search, the search may have come and gone: nothing of this is touched then.
+void PlanningTask::go_on(std::optional<Answer> quick) {
+  if (quick) return finish(*std::move(quick));
+  if (caller_.has_left()) return finish(gone("before the search"));
+  const auto in_hand = steps_->in_hand();
+  if (submit(planner_.pools.search, &PlanningTask::resume, in_hand ? Queue::kNo : Queue::kYes)) return;
+  if (!in_hand) return finish({searches_overloaded(), "search queue full"});
+  finish(answer_of(caller_.rpc(), request_, [&] { return answer(*in_hand); }));
+}
+
+void PlanningTask::resume() {
+  finish(answer_of(caller_.rpc(), request_, [this] { return search(); }));
+}
+
+std::optional<Answer> PlanningTask::plan_quickly() {
+  if (caller_.has_left()) return gone("before it began");
+  Parsed<PlanWish> parsed = parse(request_, planner_.limits);
+  if (const auto* violations = std::get_if<Violations>(&parsed)) return refusal(*violations);
+  wish_ = std::get<PlanWish>(std::move(parsed));
+  wish_.problem.options.search_memory = planner_.search_memory;
+  if (wish_.validate_only) return Answer{grpc::Status::OK, note_on(response_)};
+
+  const auto begin = Clock::now();
+  const auto allowed = std::min(wish_.budget.value_or(planner_.longest), planner_.longest);
+  steps_ = planner_.functions.begin_planning(wish_.problem, quick_budget(allowed), observer_);
+  const auto outcome = steps_->quick();
+  if (trial_ && trial_->is_over) return std::nullopt;
+  if (outcome) return answer(*outcome);
+  budget_left_ = allowed - (Clock::now() - begin);
+  return std::nullopt;
+}
+
+Budget PlanningTask::quick_budget(std::chrono::nanoseconds at_most) {
+  if (!trial_) return caller_.budget(at_most);
+  return caller_.budget(at_most, [this] { return hears_trial_end(); });
+}
+
+// The wall clock is cheap to read and runs ahead: a thread that had to wait for a processor has not had its turn.
+bool PlanningTask::hears_trial_end() {
+  if (!trial_->is_over && Clock::now() >= trial_->end) trial_->is_over = work_of_this_thread() >= trial_->end_of_work;
+  return trial_->is_over;
+}
+
+Answer PlanningTask::search() {
+  if (caller_.has_left()) return gone("before the search");
+  return answer(steps_->search(caller_.budget(budget_left_)));
+}
+
+Answer PlanningTask::answer(const Outcome& outcome) {
+  if (caller_.has_left()) return gone("while it ran");
+  response_ = response_message(outcome);
+  return {grpc::Status::OK, logs_details() ? note_on(response_) : ""};
+}
+
+void PlanningTask::finish(Answer answer) {
+  steps_.reset();  // what it knows is large, and the answer may have to wait for a slow reader
+  answer.waited = waited_;
+  done_(answer);
+}
+
+}  // namespace dualarm

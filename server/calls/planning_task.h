@@ -1,0 +1,94 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "server/calls/answer.h"
+#include "server/calls/caller.h"
+#include "server/calls/places.h"
+#include "server/planning_functions.h"
+#include "server/pools/worker_pools.h"
+#include "server/request/requests.h"
+#include "server/wire.h"
+
+namespace dualarm {
+
+/// What plans: shared by all calls, outlives them.
+struct Planner {
+  PlanningFunctions functions;
+  WorkerPools& pools;
+  std::chrono::nanoseconds longest;  ///< computation for one request
+  std::size_t search_memory;         ///< bytes of one search
+  RequestLimits limits;
+  std::chrono::nanoseconds trial;  ///< of processor time, for which gRPC's thread may try a plan; zero: not at all
+  Places& trials;                  ///< how many of them may at once
+};
+
+/// Whether a request is refused or waits when the pools are full.
+enum class WhenFull { kRefuse, kWait };
+
+/// One request of PlanMotion on its way to the answer, the same for every kind of call: parsed and planned by the quick
+/// methods on one pool; what they leave to the search goes on to another, with what is left of its budget. Waiting
+/// takes nothing from the budget.
+class PlanningTask {
+ public:
+  /// Called once, as the task's last deed, on a worker or on the thread that starts the task: it may delete the task.
+  using Done = std::function<void(const Answer&)>;
+
+  /// All outlive the task. Where the answer is OK, the response holds it.
+  PlanningTask(const Planner& planner, const Caller& caller, const wire::PlanMotionRequest& request,
+               wire::PlanMotionResponse& response, WhenFull when_full, Done done, Observer observer = {});
+
+  /// Hands the request to the pools.
+  void start();
+
+  /// Tries it on this thread, which is gRPC's, and hands it to the pools, from its beginning, only where that is not
+  /// enough time: waking a worker takes about as long as a plan. The answer is the same wherever it is made: what a
+  /// trial was kept from looking at, it does not answer.
+  void start_here();
+
+ private:
+  using Clock = Caller::Clock;
+
+  /// Whether a request that is refused where pools are full may wait in their queues: not for a better plan than the
+  /// one in hand.
+  enum class Queue { kYes, kNo };
+
+  /// Hands it to the pool; false if the pool is full. The task may be gone when this returns true.
+  bool submit(WorkerPool& pool, void (PlanningTask::*step)(), Queue queue);
+  void begin();
+  void go_on(std::optional<Answer> quick);
+  void resume();
+
+  /// Nothing where the search is to come, or where a trial was too short.
+  std::optional<Answer> plan_quickly();
+  bool hears_trial_end();
+  Budget quick_budget(std::chrono::nanoseconds at_most);
+  Answer search();
+  Answer answer(const Outcome& outcome);
+  void finish(Answer answer);
+
+  const Planner& planner_;
+  const Caller& caller_;
+  const wire::PlanMotionRequest& request_;
+  wire::PlanMotionResponse& response_;
+  const WhenFull when_full_;
+  const Done done_;
+  const Observer observer_;
+  struct Trial {
+    Clock::time_point end;
+    std::chrono::nanoseconds end_of_work;  // processor time of the thread
+    bool is_over = false;                  // a planner has heard so
+  };
+  std::optional<Trial> trial_;  // while it is tried
+  PlanWish wish_;
+  std::chrono::nanoseconds budget_left_{};
+  std::unique_ptr<PlanningSteps> steps_;
+  Clock::time_point submitted_;
+  Clock::duration waited_{};
+};
+
+}  // namespace dualarm
