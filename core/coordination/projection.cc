@@ -188,8 +188,13 @@ class Projection {
         if (forbids_no_more(cell, others, known, kPolish * longest_)) continue;
         if (is_covered(cell, others, known, resolution_) || is_shortest(cell)) {
           leaves_.push_back(cell);
+          continue;
+        }
+        const TimedSlice middle = slice_at(*cell.leg, cell.middle());
+        if (shows_an_end(middle, known) && forbids_no_more(cell, others, known, resolution_)) {
+          leaves_.push_back(cell);
         } else {
-          split(cell, halves);
+          split(cell, middle, halves);
         }
       }
       std::swap(cells_, halves);
@@ -206,6 +211,18 @@ class Projection {
   static bool is_covered(const Cell& cell, const IntervalList& others, const IntervalSet& known, double tolerance) {
     return std::all_of(others.begin(), others.end(),
                        [&](const Interval& times) { return known.covers(differences_at(cell, times), tolerance); });
+  }
+
+  /// Whether a slice ends next to where what is known ends: then the end that a wide cell around it may have can be
+  /// polished from there.
+  bool shows_an_end(const TimedSlice& slice, const IntervalSet& known) const {
+    const auto is_near = [&](double a, double b) { return std::abs(a - b) <= 2.0 * resolution_; };
+    return std::any_of(slice.others.begin(), slice.others.end(), [&](const Interval& times) {
+      const Interval shown = {slice.time - times.upper, slice.time - times.lower};
+      return std::any_of(known.intervals().begin(), known.intervals().end(), [&](const Interval& interval) {
+        return is_near(shown.lower, interval.lower) || is_near(shown.upper, interval.upper);
+      });
+    });
   }
 
   /// Whether a cell is proven to forbid no more than what is known, give or take a tolerance. Of a wide cell this says
@@ -230,8 +247,7 @@ class Projection {
            cell.middle() == cell.to;
   }
 
-  void split(const Cell& cell, std::vector<Cell>& halves) {
-    const TimedSlice middle = slice_at(*cell.leg, cell.middle());
+  void split(const Cell& cell, const TimedSlice& middle, std::vector<Cell>& halves) {
     learn(middle);
     halves.push_back({cell.leg, cell.from, middle.position, cell.from_time, middle.time});
     halves.push_back({cell.leg, middle.position, cell.to, middle.time, cell.to_time});
