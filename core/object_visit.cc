@@ -38,7 +38,7 @@ std::optional<ObjectVisit> last_goal_visit(const Problem& problem, double cleara
     const JointState& goal = problem.tasks[arm].goal;
     if (goal.velocity != 0.0) continue;
     const Traffic traffic(problem.arms[arm].base, moving_bodies(problem, arm), objects, clearance, budget);
-    const std::vector<Interval> times = traffic.times_at(goal.position);
+    const IntervalList times = traffic.times_at(goal.position);
     if (times.empty() || times.back().upper <= (last ? last->until : 0.0)) continue;
     last = visit_until(problem, arm, goal.position, clearance, times.back().upper, budget);
   }

@@ -13,31 +13,13 @@ namespace dualarm {
 namespace {
 
 /// A clockwise arm seen from below is a counterclockwise one.
-Outline mirrored(Outline outline, const Base& base) {
-  if (base.rotation == Rotation::kCounterclockwise) return outline;
-  for (int i = 0; i < outline.count; ++i) outline.corners[i].y() = -outline.corners[i].y();
-  std::reverse(outline.corners.begin(), outline.corners.begin() + outline.count);
-  return outline;
-}
+Outline seen_with(const Base& base, const Outline& outline) { return base.sense() < 0.0 ? mirrored(outline) : outline; }
 
 /// The world's outline in the frame in which the arm on `base` turns counterclockwise from the x axis.
 Outline seen_from(const Base& base, Outline world) {
-  const Eigen::Matrix2d back = Eigen::Rotation2Dd(-base.heading).toRotationMatrix();
-  for (int i = 0; i < world.count; ++i) world.corners[i] = back * (world.corners[i] - base.position.head<2>());
-  return mirrored(world, base);
-}
-
-/// The outline of what moves with the arm on `base`, in the world.
-Outline placed(Outline in_link, const Base& base, double position) {
-  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(base.heading + base.sense() * position).toRotationMatrix();
-  for (int i = 0; i < in_link.count; ++i) in_link.corners[i] = turn * in_link.corners[i] + base.position.head<2>();
-  return in_link;
-}
-
-double largest_radius(const Outline& outline) {
-  double largest = 0.0;
-  for (int i = 0; i < outline.count; ++i) largest = std::max(largest, outline.corners[i].norm());
-  return largest;
+  const Heading back = heading_of(-base.heading);
+  for (int i = 0; i < world.count; ++i) world.corners[i] = back.turn(world.corners[i] - base.position.head<2>());
+  return seen_with(base, world);
 }
 
 /// What turns with a joint.
@@ -86,43 +68,45 @@ ForbiddenSet::ForbiddenSet(const Problem& problem, double clearance)
       if (!a || !b) {
         solid_pairs_.push_back({first.shape, second.shape, reach(first.shape)});
       } else if (const double distance = distance_in_plane(*a, *b, lift, clearance); distance >= 0.0) {
-        flat_pairs_.push_back({a->outline, mirrored(b->outline, second_base_), distance, largest_radius(a->outline)});
+        flat_pairs_.emplace_back(first_base_, a->outline, second_base_, b->outline, distance);
       }
     }
   }
 }
 
-IntervalSet ForbiddenSet::slice(double theta1, Interval window) const { return slice(theta1, 0.0, window); }
+IntervalSet ForbiddenSet::slice(double theta1, Interval window) const {
+  const IntervalList found = pieces(theta1, 0.0, window);
+  return IntervalSet({found.begin(), found.end()});
+}
 
 IntervalSet ForbiddenSet::slice_over(Interval theta1, Interval window) const {
-  return slice(0.5 * (theta1.lower + theta1.upper), 0.5 * theta1.length(), window);
+  const IntervalList found = pieces(0.5 * (theta1.lower + theta1.upper), 0.5 * theta1.length(), window);
+  return IntervalSet({found.begin(), found.end()});
 }
 
 bool ForbiddenSet::contains(double theta1, double theta2) const { return !slice(theta1, {theta2, theta2}).empty(); }
 
-IntervalSet ForbiddenSet::slice(double theta1, double spread, Interval window) const {
-  std::vector<Interval> forbidden;
-  const auto add = [&](std::vector<Interval>&& angles) {
-    if (forbidden.empty()) {
-      forbidden = std::move(angles);
-    } else {
-      forbidden.insert(forbidden.end(), angles.begin(), angles.end());
-    }
-  };
+IntervalList ForbiddenSet::pieces(double theta1, double spread, Interval window) const {
+  IntervalList found;
+  const auto add = [&](const auto& intervals) { found.insert(found.end(), intervals.begin(), intervals.end()); };
+  for (const FlatPair& pair : flat_pairs_) add(pair.slice(theta1, spread, window));
   // Over the spread no point of arm 1 moves by more than its reach times the spread.
-  for (const FlatPair& pair : flat_pairs_) {
-    const Outline first = seen_from(second_base_, placed(pair.of_first, first_base_, theta1));
-    add(colliding_angles(first, pair.of_second, pair.distance + pair.reach * spread, window));
-  }
   for (const SolidPair& pair : solid_pairs_) {
     const Shape first = placed(pair.of_first, link_pose(first_base_, theta1));
     add(traced_angles(second_base_, pair.of_second, first, clearance_ + pair.reach * spread, window));
   }
   if (add_paper_set_) {
     const Interval paper = paper_slice({theta1 - spread, theta1 + spread});
-    forbidden.push_back({std::max(paper.lower, window.lower), std::min(paper.upper, window.upper)});
+    const Interval cut = {std::max(paper.lower, window.lower), std::min(paper.upper, window.upper)};
+    if (!cut.empty()) found.push_back(cut);
   }
-  return IntervalSet(std::move(forbidden));
+  return found;
+}
+
+bool ForbiddenSet::stays_apart(const Course& first, const Course& second, std::span<const TimePair> times) const {
+  if (!solid_pairs_.empty() || add_paper_set_) return false;
+  return std::all_of(flat_pairs_.begin(), flat_pairs_.end(),
+                     [&](const FlatPair& pair) { return pair.stays_apart(first, second, times); });
 }
 
 /// [paper, figure 2] R_c = { l1 cos theta1 + l2 cos theta2 >= L, theta2 <= elevation of tip 1 seen from base 2 },
@@ -148,7 +132,9 @@ IntervalSet blocked_positions(const Base& base, const Shape& moving, const Shape
   if (!a || !b) return IntervalSet(traced_angles(base, moving, fixed, clearance, window));
   const double distance = distance_in_plane(*a, *b, base.position.z(), clearance);
   if (distance < 0.0) return {};
-  return IntervalSet(colliding_angles(seen_from(base, b->outline), mirrored(a->outline, base), distance, window));
+  const IntervalList found =
+      colliding_angles(seen_from(base, b->outline), seen_with(base, a->outline), distance, window);
+  return IntervalSet({found.begin(), found.end()});
 }
 
 }  // namespace dualarm

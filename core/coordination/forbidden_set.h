@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
+#include "core/coordination/flat_pair.h"
 #include "core/coordination/upright.h"
 #include "core/model/interval_set.h"
 #include "core/model/problem.h"
@@ -25,17 +27,17 @@ class ForbiddenSet {
   /// A superset of the slices at all theta1 of an interval; equal to the slice in the limit of short ones.
   IntervalSet slice_over(Interval theta1, Interval window) const;
 
+  /// The pieces of such a slice over all theta1 no farther than `spread` (rad, >= 0) from one: in any order, and they
+  /// may overlap. For those who ask often.
+  IntervalList pieces(double theta1, double spread, Interval window) const;
+
   bool contains(double theta1, double theta2) const;
 
- private:
-  /// Upright bodies that can meet.
-  struct FlatPair {
-    Outline of_first;   ///< in the link frame of arm 1, m
-    Outline of_second;  ///< in the turning frame of arm 2 (mirrored if it turns clockwise), m
-    double distance;    ///< m, in the plane, below which the pair collides
-    double reach;       ///< m, of of_first from the joint of arm 1
-  };
+  /// Whether both joints, each from a state on, are proven to stay out of the set at any times in the convex hull of
+  /// `times`. A proof to second order, for upright bodies only: others, and the paper's set, are not proven.
+  bool stays_apart(const Course& first, const Course& second, std::span<const TimePair> times) const;
 
+ private:
   /// Bodies of which one leans, in their link frames.
   struct SolidPair {
     Shape of_first;
@@ -43,7 +45,6 @@ class ForbiddenSet {
     double reach;  ///< m, of of_first from the joint of arm 1
   };
 
-  IntervalSet slice(double theta1, double spread, Interval window) const;
   Interval paper_slice(Interval theta1) const;
 
   Base first_base_;

@@ -51,7 +51,7 @@ void Traffic::add(const TrackedBody& object) {
   stop(poses.back().pose, {std::max(0.0, poses.back().time), std::numeric_limits<double>::infinity()});
 }
 
-std::vector<Interval> Traffic::times(double position, double spread) const {
+IntervalList Traffic::times(double position, double spread) const {
   std::vector<Interval> found;
   const Eigen::Isometry3d pose = link_pose(base_, position);
   for (const ArmBody& body : bodies_) {
@@ -62,7 +62,8 @@ std::vector<Interval> Traffic::times(double position, double spread) const {
     }
     for (const RideTree& rides : rides_) rides.add_meetings(here, distance, budget_, found);
   }
-  return IntervalSet(std::move(found)).intervals();
+  const IntervalSet united(std::move(found));
+  return {united.intervals().begin(), united.intervals().end()};
 }
 
 }  // namespace dualarm

@@ -19,8 +19,8 @@ class Traffic final : public Meetings {
   /// Times (s since the start of the plan, from 0 on) at which the arm, standing at a position (rad), is too close to
   /// an object. Exact for objects that do not turn; of others gaps may be missed during which they turn by less than
   /// kGap.
-  std::vector<Interval> times_at(double position) const override { return times(position, 0.0); }
-  std::vector<Interval> times_over(Interval positions) const override {
+  IntervalList times_at(double position) const override { return times(position, 0.0); }
+  IntervalList times_over(Interval positions) const override {
     return times(0.5 * (positions.lower + positions.upper), 0.5 * positions.length());
   }
 
@@ -36,7 +36,7 @@ class Traffic final : public Meetings {
   };
 
   void add(const TrackedBody& object);
-  std::vector<Interval> times(double position, double spread) const;
+  IntervalList times(double position, double spread) const;
 
   Base base_;
   double clearance_;

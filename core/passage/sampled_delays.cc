@@ -28,8 +28,10 @@ SampledDelays::SampledDelays(const ForbiddenSet& forbidden, const Profile& first
     : forbidden_(&forbidden),
       first_(&first),
       second_(&second),
+      extent_(second.extent()),
       longest_(std::max(first.duration(), second.duration())),
       closed_(closed * longest_) {
+  samples_.reserve(2 + kSamples * first.legs().size());
   add(nullptr, first.start(), -kInfinity, 0.0);
   add(nullptr, first.goal(), first.duration(), kInfinity);
   for (const Leg& leg : first.legs()) {
@@ -41,14 +43,11 @@ SampledDelays::SampledDelays(const ForbiddenSet& forbidden, const Profile& first
   }
 }
 
-std::vector<Interval> SampledDelays::delays_at(double position, double earliest, double latest) const {
-  std::vector<Interval> delays;
-  for (const Interval& piece : forbidden_->slice(position, second_->extent()).intervals()) {
-    for (const Interval& times : second_->times_in(piece).intervals()) {
-      delays.push_back({earliest - times.upper, latest - times.lower});
-    }
-  }
-  return delays;
+IntervalList SampledDelays::delays_at(double position, double earliest, double latest) const {
+  IntervalList times;
+  for (const Interval& piece : forbidden_->pieces(position, 0.0, extent_)) second_->add_times_in(piece, times);
+  for (Interval& piece : times) piece = {earliest - piece.upper, latest - piece.lower};
+  return times;
 }
 
 void SampledDelays::add(const Leg* leg, double position, double earliest, double latest) {
@@ -57,6 +56,7 @@ void SampledDelays::add(const Leg* leg, double position, double earliest, double
 
 IntervalSet SampledDelays::forbidden() const {
   std::vector<Interval> delays;
+  delays.reserve(samples_.size());
   for (const Sample& sample : samples_) delays.push_back(sample.delays);
   return unite_across(std::move(delays), closed_);
 }

@@ -5,6 +5,7 @@
 #include "core/coordination/forbidden_set.h"
 #include "core/model/interval_set.h"
 #include "core/phase_plane/profile.h"
+#include "geometry/interval_list.h"
 
 namespace dualarm {
 
@@ -27,15 +28,16 @@ class SampledDelays {
     Interval delays;           ///< s
   };
 
-  std::vector<Interval> delays_at(double position, double earliest, double latest) const;
+  IntervalList delays_at(double position, double earliest, double latest) const;
   void add(const Leg* leg, double position, double earliest, double latest);
   double sharpened(const Sample& sample, double sign) const;
 
   const ForbiddenSet* forbidden_;
   const Profile* first_;
   const Profile* second_;
-  double longest_;  ///< s, of both durations
-  double closed_;   ///< s, of safe windows that are closed
+  Interval extent_;  ///< rad, of the second motion
+  double longest_;   ///< s, of both durations
+  double closed_;    ///< s, of safe windows that are closed
   std::vector<Sample> samples_;
 };
 

@@ -26,7 +26,8 @@ std::vector<Body> upright_bodies(std::vector<Body> bodies, const TrackedBody& ob
 }
 
 /// The interval that holds a value well inside.
-std::optional<Interval> around(double value, const std::vector<Interval>& intervals) {
+template <class Intervals>
+std::optional<Interval> around(double value, const Intervals& intervals) {
   for (const Interval& interval : intervals) {
     if (interval.lower + kWithin < value && value < interval.upper - kWithin) return interval;
   }

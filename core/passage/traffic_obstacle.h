@@ -24,7 +24,7 @@ class TrafficObstacle {
   TrafficObstacle(const Problem& problem, int arm, const TrackedBody& object, double clearance, const Budget& budget);
 
   /// The times (s) of meetings at a position (rad).
-  std::vector<Interval> times_at(double position) const { return traffic_.times_at(position); }
+  IntervalList times_at(double position) const { return traffic_.times_at(position); }
 
   /// Follows slices that cross each other from a meeting on: through time to its end in the direction `through_time`
   /// (-1 or 1), from there through positions to their end in the direction `through_positions`, and so on, until

@@ -64,14 +64,23 @@ std::optional<IntegralSeries> IntegralSeries::from_values(const std::array<doubl
 
 double IntegralSeries::up_to(double place) const {
   const double x = std::clamp((place - lower_) / half_ - 1.0, -1.0, 1.0);
-  double before = 0.0;
-  double sum = 0.0;
-  for (std::size_t k = count_ - 1; k > 0; --k) {
-    const double next = coefficients_[k] + 2.0 * x * sum - before;
-    before = sum;
-    sum = next;
+  // Clenshaw's recurrence waits for each term in turn; even and odd polynomials are recurrences in 2 x^2 - 1 of half
+  // the length, and do not wait for each other.
+  const double twice = 2.0 * (2.0 * x * x - 1.0);
+  double even = 0.0;
+  double even_before = 0.0;
+  double odd = 0.0;
+  double odd_before = 0.0;
+  for (std::size_t k = (count_ - 1) / 2; k > 0; --k) {
+    const double next_even = coefficients_[2 * k] + twice * even - even_before;
+    const double next_odd = coefficients_[2 * k + 1] + twice * odd - odd_before;
+    even_before = even;
+    odd_before = odd;
+    even = next_even;
+    odd = next_odd;
   }
-  return coefficients_[0] + x * sum - before;
+  return coefficients_[0] + 0.5 * twice * even - even_before +
+         x * (coefficients_[1] + (twice - 1.0) * odd - odd_before);
 }
 
 }  // namespace dualarm

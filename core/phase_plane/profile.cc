@@ -80,9 +80,37 @@ std::size_t Profile::arc_at(const Leg& leg, double position) const {
   return arc;
 }
 
+TimedState Profile::passed_near(double time) const {
+  if (arcs_.empty() || time <= 0.0) return {0.0, start_};
+  if (time >= duration_) return {duration_, goal_};
+  const auto arc = std::find_if(arcs_.begin(), arcs_.end(), [&](const Arc& a) { return time < a.end_time; });
+  const double span = arc->end_time - arc->start_time;
+  const double share = (time - arc->start_time) / span;
+  const double rest = 1.0 - share;
+  // The cubic with both ends' positions and velocities.
+  const double position =
+      rest * rest * ((1.0 + 2.0 * share) * arc->start.position + share * span * arc->start.velocity) +
+      share * share * ((1.0 + 2.0 * rest) * arc->end.position - rest * span * arc->end.velocity);
+  const auto [lower, upper] = std::minmax(arc->start.position, arc->end.position);
+  const double passed = std::clamp(position, lower, upper);
+  const ArcMotion& motion = motion_of(*arc);
+  return {arc->start_time + motion.time_at(passed), {passed, motion.velocity_at(passed)}};
+}
+
+double Profile::largest_acceleration() const {
+  if (arcs_.empty()) return 0.0;
+  const Interval bounds = system_->acceleration_bounds();
+  return std::max(std::abs(bounds.lower), std::abs(bounds.upper));
+}
+
 IntervalSet Profile::times_in(Interval positions) const {
-  if (positions.empty()) return {};
-  std::vector<Interval> times;
+  IntervalList times;
+  add_times_in(positions, times);
+  return IntervalSet({times.begin(), times.end()});
+}
+
+void Profile::add_times_in(Interval positions, IntervalList& times) const {
+  if (positions.empty()) return;
   if (positions.contains(start())) times.push_back({-kInfinity, 0.0});
   if (positions.contains(goal())) times.push_back({duration_, kInfinity});
   for (const Leg& leg : legs_) {
@@ -91,7 +119,6 @@ IntervalSet Profile::times_in(Interval positions) const {
     times.push_back({time_at(leg, rising ? positions.lower : positions.upper),
                      time_at(leg, rising ? positions.upper : positions.lower)});
   }
-  return IntervalSet(std::move(times));
 }
 
 std::vector<JointState> Profile::states_along(const Arc& arc, int count) const { return motion_of(arc).states(count); }

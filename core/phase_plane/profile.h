@@ -7,6 +7,7 @@
 #include "core/model/trajectory.h"
 #include "core/phase_plane/arc_motion.h"
 #include "core/phase_plane/system.h"
+#include "geometry/interval_list.h"
 
 namespace dualarm {
 
@@ -18,6 +19,12 @@ struct Leg {
   double end_time = 0.0;
   double start = 0.0;  ///< rad
   double goal = 0.0;   ///< rad
+};
+
+/// A state and when it is passed, s on the profile's clock.
+struct TimedState {
+  double time = 0.0;
+  JointState state;
 };
 
 /// A motion of one degree of freedom on its own clock from 0 to duration(): arcs of extreme acceleration and of
@@ -72,9 +79,18 @@ class Profile {
   /// Velocity (rad/s) with which a leg passes a position between its ends (clamped to them).
   double velocity_at(const Leg& leg, double position) const;
 
+  /// A state that is passed near a time (clamped to [0, duration]), and exactly when: cheaper than the state at a time.
+  TimedState passed_near(double time) const;
+
+  /// No acceleration (rad/s2) is larger anywhere on the way; infinite where the system knows no bound.
+  double largest_acceleration() const;
+
   /// All times of the own clock, standing before and after included, at which the position lies in the interval.
   /// Infinite ends where the start or the goal does.
   IntervalSet times_in(Interval positions) const;
+
+  /// The same, added to `times` in any order, and they may touch: for those who ask often.
+  void add_times_in(Interval positions, IntervalList& times) const;
 
   /// States of one of arcs() at `count` + 1 evenly spaced times from its start to its end.
   std::vector<JointState> states_along(const Arc& arc, int count) const;

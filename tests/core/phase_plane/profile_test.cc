@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/phase_plane/time_optimal.h"
@@ -66,6 +67,27 @@ TEST_P(ProfileTest, IsInAnIntervalForAsLongAsItsClockSays) {
   EXPECT_EQ(times.intervals()[0].upper, kInfinity);
   EXPECT_TRUE(profile_.times_in({20.0, 21.0}).empty());
   EXPECT_EQ(profile_.times_in({-20.0, 20.0}).intervals(), (std::vector<Interval>{{-kInfinity, kInfinity}}));
+}
+
+TEST_P(ProfileTest, PassesAStateNearATimeExactlyWhenItSays) {
+  for (int i = -10; i <= 210; ++i) {
+    const double time = profile_.duration() * i / 200.0;
+    const TimedState passed = profile_.passed_near(time);
+    EXPECT_NEAR(passed.time, std::clamp(time, 0.0, profile_.duration()), 0.02 * profile_.duration()) << i;
+    const JointState there = profile_.at(passed.time);
+    EXPECT_NEAR(passed.state.position, there.position, 1e-11) << i;
+    EXPECT_NEAR(passed.state.velocity, there.velocity, 1e-10) << i;
+  }
+}
+
+TEST_P(ProfileTest, NeverAcceleratesMoreThanItsLargestAcceleration) {
+  const double h = 1e-4 * profile_.duration();
+  double most = 0.0;
+  for (double time = 0.0; time < profile_.duration(); time += h) {
+    most = std::max(most, std::abs(profile_.at(time + h).velocity - profile_.at(time).velocity) / h);
+  }
+  EXPECT_LE(most, profile_.largest_acceleration() + 1e-5);
+  EXPECT_GE(most, 0.2 * profile_.largest_acceleration());
 }
 
 TEST_P(ProfileTest, StatesAlongAnArcAreTheStatesAtTheirTimes) {
