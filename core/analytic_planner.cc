@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/certify.h"
+#include "core/coordination/diagram.h"
 #include "core/object_visit.h"
 #include "core/passage/passage_plan.h"
 #include "core/passage/proof.h"
@@ -121,7 +122,9 @@ class AnalyticPlanner {
   /// Waiting, or a passage where that is faster. Theory, sections 3 and 4.
   std::optional<Decision> coordinate() {
     findings_.begin("start delays");
-    for (FastestMotion& motion : fastest_) motion.profile = motion.profile.asked_often();
+    if (may_meet(prepared_.forbidden(), fastest_[0].profile, fastest_[1].profile)) {
+      for (FastestMotion& motion : fastest_) motion.profile = motion.profile.asked_often();
+    }
     const StartChoice choice = starts_of(fastest_[0].profile, fastest_[1].profile);
     findings_.safe_delays = choice.safe_delays;
     if (!choice.times && knows_start_times()) findings_.tried.push_back(choice.why_not);

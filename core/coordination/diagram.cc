@@ -119,8 +119,13 @@ class OtherArm final : public Meetings {
 
 }  // namespace
 
+bool may_meet(const ForbiddenSet& forbidden, const Profile& first, const Profile& second) {
+  return !forbidden.slice_over(first.extent(), second.extent()).empty();
+}
+
 std::optional<IntervalSet> forbidden_delays(const ForbiddenSet& forbidden, const Profile& first, const Profile& second,
                                             const Budget& budget) {
+  if (!may_meet(forbidden, first, second)) return IntervalSet();
   const Profile first_clock = first.asked_often();
   const Profile second_clock = second.asked_often();
   return project(OtherArm(forbidden, first_clock, second_clock), first_clock,

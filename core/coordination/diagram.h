@@ -9,6 +9,9 @@
 
 namespace dualarm {
 
+/// Whether two motions might collide with any delay: false where they keep away from each other wherever they are.
+bool may_meet(const ForbiddenSet& forbidden, const Profile& first, const Profile& second);
+
 /// The start delays (s, start of arm 2 minus start of arm 1; ends may be infinite) with which two motions collide,
 /// which may turn back on the way: the projection of the forbidden set in own-clock coordinates along the diagonal,
 /// where an arm before its start and after its arrival stands still. The ends are local extrema polished to rounding,

@@ -196,6 +196,22 @@ TEST(ForbiddenDelays, AreNoneForArmsOutOfEachOthersReach) {
       forbidden_delays(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1], Budget()).value().empty());
 }
 
+TEST(MayMeet, SaysNoOnlyWhereNoDelayCollides) {
+  int apart = 0;
+  for (double base = 8.0; base <= 20.0; base += 0.5) {
+    SCOPED_TRACE(base);
+    Problem problem = paper_problem({20, 70}, {60, 20}, 0.05);
+    problem.arms[1].base.position.x() = base;
+    const Pair pair(problem);
+    if (may_meet(ForbiddenSet(problem, 0.0), pair.profiles[0], pair.profiles[1])) continue;
+    ++apart;
+    const BruteForce brute(problem, 0.0, pair);
+    for (int delay = -400; delay <= 400; delay += 10) ASSERT_FALSE(brute.collides(delay)) << delay;
+  }
+  EXPECT_GT(apart, 5);
+  EXPECT_LT(apart, 20);
+}
+
 TEST(ForbiddenDelays, EqualABruteForceScanOnRandomScenes) {
   int constrained = 0;
   for (int scene = 0; constrained < 500; ++scene) {
