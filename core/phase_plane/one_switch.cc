@@ -42,6 +42,18 @@ struct Curve {
   }
 };
 
+/// Whether positions are apart, next to each other, or the other way round, seen along a direction (+1 or -1).
+enum class Order { kBehind, kNextTo, kAhead };
+
+Order order_of(double position, double other, double direction) {
+  const double ahead = direction * (other - position);
+  if (std::abs(ahead) <= kShort * (1.0 + std::abs(position))) return Order::kNextTo;
+  return ahead > 0.0 ? Order::kAhead : Order::kBehind;
+}
+
+/// Whether a motion leads to the goal; unsure where a rounding decides.
+enum class Existence { kNo, kUnsure, kYes };
+
 /// The motion that is driven to one side first (+1 or -1), and to the other one after its switch.
 class OneSwitch {
  public:
@@ -57,14 +69,18 @@ class OneSwitch {
                                                                 : after.anchor.position - to_goal;
   }
 
-  /// Whether the switch lies on the way: after a start that moves to this side, before a goal that does, and where the
-  /// motion has not come to rest yet.
-  bool exists() const {
+  /// The switch lies on the way after a start that moves to this side, before a goal that does, and where the motion
+  /// has not come to rest yet.
+  Existence existence() const {
     const bool comes_back = side_ * before_.anchor.velocity < 0.0;
     const bool goes_back = side_ * after_.anchor.velocity < 0.0;
-    return (comes_back || side_ * (switch_.position - before_.anchor.position) > 0.0) &&
-           (goes_back || side_ * (after_.anchor.position - switch_.position) > 0.0) &&
-           (!comes_back || !goes_back || before_.energy(switch_.position) > 0.0);
+    const Order from_start = order_of(before_.anchor.position, switch_.position, side_);
+    const Order to_goal = order_of(switch_.position, after_.anchor.position, side_);
+    // Next to an end the other motion may be the same one with a loop to and fro in that end, which takes longer.
+    if (from_start == Order::kNextTo || to_goal == Order::kNextTo) return Existence::kUnsure;
+    if (!comes_back && from_start == Order::kBehind) return Existence::kNo;
+    if (!goes_back && to_goal == Order::kBehind) return Existence::kNo;
+    return !comes_back || !goes_back || before_.energy(switch_.position) > 0.0 ? Existence::kYes : Existence::kNo;
   }
 
   std::optional<std::vector<Arc>> arcs(const System& system) {
@@ -140,8 +156,10 @@ std::optional<std::vector<Arc>> one_switch_motion(const System& system, JointSta
   const double down_work = down_from_start->work.over(change);
   OneSwitch up(*up_from_start, *down_to_goal, up_work, down_work, 1.0);
   OneSwitch down(*down_from_start, *up_to_goal, down_work, up_work, -1.0);
-  if (up.exists() == down.exists()) return std::nullopt;
-  return up.exists() ? up.arcs(system) : down.arcs(system);
+  const Existence of_up = up.existence();
+  const Existence of_down = down.existence();
+  if (of_up == of_down || of_up == Existence::kUnsure || of_down == Existence::kUnsure) return std::nullopt;
+  return of_up == Existence::kYes ? up.arcs(system) : down.arcs(system);
 }
 
 }  // namespace dualarm

@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "core/phase_plane/profile.h"
 #include "core/phase_plane/turns.h"
 #include "core/systems/single_joint_arm.h"
 #include "tests/core/phase_plane/test_arms.h"
@@ -62,6 +63,37 @@ TEST(OneSwitch, IsTheMotionThatWalkingAlongBothCurvesFinds) {
     }
   }
   EXPECT_GT(answered, 1800);
+}
+
+/// From a state on the way the rest of a motion is the fastest, though its switch lies in that state: the loop to and
+/// fro that the other order of torques would lead along from there must not be taken for it.
+TEST(OneSwitch, NeverAnswersALoopFromAStateOnTheWay) {
+  constexpr unsigned kSeed = 43;
+  SCOPED_TRACE(kSeed);
+  Dice dice(kSeed);
+  int answered = 0;
+  for (int round = 0; round < 500; ++round) {
+    SCOPED_TRACE(round);
+    const SingleJointArm system(strong_arm(dice));
+    const JointState start = {dice.between(-3.0, 3.0), dice.between(-3.0, 3.0)};
+    const JointState goal = {dice.between(-3.0, 3.0), dice.between(-3.0, 3.0)};
+    const auto way = one_switch_motion(system, start, goal);
+    if (!way) continue;
+    const Profile whole(system, *way);
+    for (int i = 0; i <= 20; ++i) {
+      const double time = whole.duration() * i / 20.0;
+      const auto rest = one_switch_motion(system, whole.at(time), goal);
+      const auto until = one_switch_motion(system, start, whole.at(time));
+      if (rest) {
+        EXPECT_NEAR(Profile(system, *rest).duration(), whole.duration() - time, 1e-9);
+      }
+      if (until) {
+        EXPECT_NEAR(Profile(system, *until).duration(), time, 1e-9);
+      }
+      answered += rest ? 1 : 0;
+    }
+  }
+  EXPECT_GT(answered, 2000);
 }
 
 TEST(OneSwitch, LeavesWhatMeetsTheVelocityLimitOrTheRangeToOthers) {
