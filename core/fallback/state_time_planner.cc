@@ -47,7 +47,7 @@ struct Round {
   std::size_t contenders;
   double share;
 };
-constexpr std::array<Round, 1> kRounds = {{{3, 0.05}}};
+constexpr std::array<Round, 2> kRounds = {{{3, 0.05}, {2, 0.1}}};
 
 /// Plans whose durations differ by no more than this part went the same way round, as a rule.
 constexpr double kSameGain = 1e-3;
