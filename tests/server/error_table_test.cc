@@ -100,9 +100,17 @@ grpc::Status full_queue() {
   return plan_motion(busy.server());
 }
 
+/// The quick worker that has just handed the first request to the search may not be back yet: asked again then.
 grpc::Status full_search_queue() {
   BusyServer busy(without_queues(), true);
-  return plan_motion(busy.server());
+  constexpr int kMostTries = 200;
+  grpc::Status status;
+  for (int i = 0; i < kMostTries; ++i) {
+    status = plan_motion(busy.server());
+    if (detail_of<google::rpc::ErrorInfo>(status).reason() != "QUEUE_FULL") break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return status;
 }
 
 grpc::Status too_many_streams() {
