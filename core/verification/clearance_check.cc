@@ -98,7 +98,8 @@ class ClearanceSearch {
     if (smallest_ < demanded_ && query_count_ >= collision_seen_at_ + kEvidenceQueries) return true;
     const Candidate& lowest = candidates_.top();
     if (!lowest.is_examined()) return lowest.lower_bound >= smallest_;
-    const bool is_close = lowest.lower_bound >= smallest_ - lowest.error - kClearanceResolution;
+    const double resolution = std::max(kClearanceResolution, kClearanceShare * (smallest_ - demanded_));
+    const bool is_close = lowest.lower_bound >= smallest_ - lowest.error - resolution;
     const bool is_final =
         lowest.time.length() <= kShortestInterval || lowest.lower_bound >= lowest.distance - lowest.error;
     return is_final || (is_close && (lowest.lower_bound >= demanded_ || smallest_ < demanded_));

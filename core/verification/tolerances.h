@@ -57,8 +57,10 @@ inline constexpr int kMostIntervals = 1 << 13;
 /// Share of a limit from which on the search of a peak no longer cares how much it is.
 inline constexpr double kHopelessShare = 1e3;
 
-/// m. The proven smallest clearance is at most this (and FCL's error) below the smallest clearance seen.
+/// m, and as a share of what is to spare: the proven smallest clearance is at most the larger of the two (and FCL's
+/// error) below the smallest clearance seen. Each factor of 4 costs two distance queries.
 inline constexpr double kClearanceResolution = 1e-6;
+inline constexpr double kClearanceShare = 1e-4;
 
 /// m. Bodies closer than this touch, and collide even where no clearance is demanded: bare segments that cross are at a
 /// distance of 0, never below.

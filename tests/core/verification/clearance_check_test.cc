@@ -59,7 +59,8 @@ TEST(ClearanceCheck, FindsTheSmallestDistanceOfRandomMotionsAndProvesItWithFewQu
       most_queries = std::max(most_queries, report.distance_query_count);
       EXPECT_GE(report.min_clearance, problem.options.clearance);
       EXPECT_LE(report.min_clearance, sampled);
-      EXPECT_NEAR(report.min_clearance, sampled, 1e-4);
+      const double told_to = kClearanceShare * (sampled - problem.options.clearance);
+      EXPECT_NEAR(report.min_clearance, sampled, 1e-4 + told_to);
     } else {
       ASSERT_EQ(report.violations.size(), 1u);
       EXPECT_EQ(report.violations[0].kind, ViolationKind::kClearance);
@@ -80,6 +81,20 @@ TEST(ClearanceCheck, ATouchAtThePlannedMarginIsProvenWithFewQueries) {
   const ClearanceReport report = clearance_of(problem, trajectory);
   EXPECT_TRUE(report.collision_free);
   EXPECT_LT(report.distance_query_count, 150);
+}
+
+TEST(ClearanceCheck, ToldToAMicrometreWhereItIsScarceAndToAShareOfWhatIsToSpare) {
+  Problem problem = weightless_problem({20.0, 70.0}, {60.0, 20.0}, 0.1, 0.0);
+  const Trajectory trajectory = parabolic_motion(problem, {0.0, 0.2});
+  problem.options.clearance = 0.0;
+  const ClearanceReport roomy = clearance_of(problem, trajectory);
+  const double least = sampled_minimum(problem, trajectory, 200000);
+  ASSERT_GT(least, 0.01);
+  EXPECT_GE(roomy.min_clearance, least - kClearanceShare * least - 1e-7);
+  problem.options.clearance = least - 1e-3;
+  const ClearanceReport scarce = clearance_of(problem, trajectory);
+  EXPECT_GE(scarce.min_clearance, least - kClearanceResolution - 1e-7);
+  EXPECT_LT(roomy.distance_query_count, scarce.distance_query_count);
 }
 
 TEST(ClearanceCheck, TellsAMicrometreTooCloseFromFarEnough) {
