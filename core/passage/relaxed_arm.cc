@@ -69,11 +69,7 @@ Interval reachable(const Arm& arm, const Task& task, double duration) {
 
 double complete_until(const Arm& arm) {
   const SingleJointArm system(arm);
-  for (const double direction : {-1.0, 1.0}) {
-    if (system.velocity_matters(Extreme::kLowest, direction)) return 0.0;
-    if (system.velocity_matters(Extreme::kHighest, direction)) return 0.0;
-  }
-  if (!is_strong(system)) return 0.0;
+  if (depends_on_velocity(system) || !is_strong(system)) return 0.0;
   // Beyond the range the accelerations may be continued as constants: only gravity's slope inside of it counts.
   const double amplitude = arm.gravity.amplitude;
   const double of_gravity = largest_wave(amplitude, arm.joint_range, 0.5 * std::numbers::pi - arm.gravity.phase);

@@ -152,6 +152,14 @@ double Relaxation::fastest_overshoot(double direction, double room) const {
   return std::min(limit(direction), std::sqrt(2.0 * std::max(0.0, along(direction).brakes * room)));
 }
 
+bool depends_on_velocity(const System& system) {
+  for (const double direction : {-1.0, 1.0}) {
+    if (system.velocity_matters(Extreme::kLowest, direction)) return true;
+    if (system.velocity_matters(Extreme::kHighest, direction)) return true;
+  }
+  return false;
+}
+
 bool is_strong(const System& system) {
   const Interval range = system.range();
   const Interval at_start = system.acceleration(range.lower, 0.0);
@@ -160,11 +168,8 @@ bool is_strong(const System& system) {
 }
 
 bool is_minimum_by_duration(const System& system, double duration) {
-  for (const double direction : {-1.0, 1.0}) {
-    if (system.velocity_matters(Extreme::kLowest, direction)) return false;
-    if (system.velocity_matters(Extreme::kHighest, direction)) return false;
-  }
-  return duration * std::sqrt(system.stiffness()) < std::numbers::pi * (1.0 - kProofMargin) && is_strong(system);
+  return !depends_on_velocity(system) &&
+         duration * std::sqrt(system.stiffness()) < std::numbers::pi * (1.0 - kProofMargin) && is_strong(system);
 }
 
 bool is_minimum_by_run_up(const System& system, const Profile& profile) {

@@ -44,6 +44,9 @@ class Relaxation {
   Interval velocities_;
 };
 
+/// Whether the velocity matters to either end of the admissible accelerations in either direction.
+bool depends_on_velocity(const System& system);
+
 /// Whether accelerations of both signs are admissible at standstill everywhere in the range.
 bool is_strong(const System& system);
 

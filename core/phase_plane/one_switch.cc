@@ -130,14 +130,6 @@ class OneSwitch {
   JointState switch_;
 };
 
-bool depends_on_velocity(const System& system) {
-  for (const double direction : {-1.0, 1.0}) {
-    if (system.velocity_matters(Extreme::kLowest, direction)) return true;
-    if (system.velocity_matters(Extreme::kHighest, direction)) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 std::optional<std::vector<Arc>> one_switch_motion(const System& system, JointState start, JointState goal) {

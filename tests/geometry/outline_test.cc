@@ -7,25 +7,10 @@
 #include <numbers>
 
 #include "tests/support/dice.h"
+#include "tests/support/random_outline.h"
 
 namespace dualarm {
 namespace {
-
-/// A point, a segment or a parallelogram, of up to some metres.
-Outline random_outline(Dice& dice) {
-  const auto somewhere = [&] { return Eigen::Vector2d(dice.between(-2.0, 2.0), dice.between(-2.0, 2.0)); };
-  const Eigen::Vector2d corner = somewhere();
-  const Eigen::Vector2d a = 0.5 * somewhere();
-  Eigen::Vector2d b = 0.5 * somewhere();
-  const int kind = dice.one_of(3);
-  if (kind == 0) return outline_of({corner, corner});
-  if (kind == 1) return outline_of({corner, corner + a});
-  if (a.x() * b.y() - a.y() * b.x() < 0.0) b = -b;
-  Outline outline;
-  outline.count = 4;
-  outline.corners = {corner, corner + a, corner + a + b, corner + b};
-  return outline;
-}
 
 /// How far two outlines are apart along a direction: their distance is the most of it, or 0.
 double gap_along(const Outline& first, const Outline& second, const Eigen::Vector2d& normal) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/dice.h"
+#include "tests/support/random_outline.h"
 
 namespace dualarm {
 namespace {
@@ -23,21 +24,6 @@ struct Scene {
       outlines[i] = random_outline(dice);
       courses[i] = {dice.between(-3.0, 3.0), dice.between(-3.0, 3.0), dice.happens(0.2) ? 0.0 : dice.between(0.0, 4.0)};
     }
-  }
-
-  static Outline random_outline(Dice& dice) {
-    const auto somewhere = [&] { return Eigen::Vector2d(dice.between(-1.5, 1.5), dice.between(-1.5, 1.5)); };
-    const Eigen::Vector2d corner = somewhere();
-    const Eigen::Vector2d a = somewhere();
-    Eigen::Vector2d b = 0.3 * somewhere();
-    const int kind = dice.one_of(3);
-    if (kind == 0) return outline_of({corner, corner});
-    if (kind == 1) return outline_of({corner, corner + a});
-    if (a.x() * b.y() - a.y() * b.x() < 0.0) b = -b;
-    Outline outline;
-    outline.count = 4;
-    outline.corners = {corner, corner + a, corner + a + b, corner + b};
-    return outline;
   }
 
   Outline placed(int arm, double position) const {

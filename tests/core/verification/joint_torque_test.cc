@@ -6,16 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/core/verification/loaded_arm.h"
+
 namespace dualarm {
 namespace {
-
-Arm arm_with(double inertia, double gravity, double friction) {
-  Arm arm;
-  arm.inertia = inertia;
-  arm.gravity = {gravity, 0.4};
-  arm.viscous_friction = friction;
-  return arm;
-}
 
 TEST(JointTorque, IsWhatInertiaGravityAndFrictionNeed) {
   const JointTorque torque(arm_with(3.0, 10.0, 2.0));

@@ -5,18 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/core/verification/loaded_arm.h"
 #include "tests/support/dice.h"
 
 namespace dualarm {
 namespace {
-
-Arm arm_with(double inertia, double gravity, double friction) {
-  Arm arm;
-  arm.inertia = inertia;
-  arm.gravity = {gravity, 0.4};
-  arm.viscous_friction = friction;
-  return arm;
-}
 
 /// Knots without any sense, a few of them at one time.
 std::vector<Knot> wild_knots(Dice& dice, double longest) {
