@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/phase_plane/sine_slowness.h"
+
 namespace dualarm {
 namespace {
 
@@ -158,6 +160,10 @@ double ArcMotion::quadrature(double root) const {
   const double first = first_root();
   if (root <= first) return 0.0;
   if (clock_) return clock_->up_to(root);
+  if (work_) {
+    const SineSlowness slowness(*work_, anchor_.velocity, away_, virtual_rest_);
+    if (const auto time = slowness.time(first, root)) return *time;
+  }
   // Over [-1, 1], always: on shorter intervals Boost 1.74 compares an error of the unit interval with a tolerance of
   // the short one and subdivides to the last level.
   const double half = 0.5 * (root - first);

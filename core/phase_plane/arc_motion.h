@@ -20,11 +20,10 @@ class ArcMotion {
   /// against it.
   ArcMotion(const System& system, const Arc& arc) : ArcMotion(system, arc, kExact) {}
 
-  /// With times whose quadratures stop subdividing at a relative error of the lower one of two rules: that of the upper
-  /// one, which counts, is about its power of 3/2.
+  /// With times whose quadratures, where they have to subdivide, stop at a relative difference of two rules.
   ArcMotion(const System& system, const Arc& arc, double tolerance);
 
-  /// Such errors: a digit above rounding; and one at which times still hold to 1e-13, which takes half the work.
+  /// Such differences: a digit above rounding; and one at which times hold to 1e-9, which takes half the work.
   static constexpr double kExact = 1e-13;
   static constexpr double kLean = 1e-9;
 
