@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -12,16 +13,25 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Part of the size of a scene by which a contact may lie beyond the end of its flank or cap and still count: more than
-/// rounding. One too many costs a test, one too few the truth.
+Eigen::Vector2d turned_left(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
+
+/// Part of the size of a scene by which a contact may lie beyond the end of its flank or cap, or another corner nearer,
+/// and still count: more than rounding. One too many costs a test, one too few the truth.
 constexpr double kBeyondEnd = 1e-9;
 
-/// The angles in a window of at most one turn by which a figure has to be turned about the origin so that a corner of
-/// one comes to lie at a distance from the other: each a contact with a flank or with the cap around a corner.
+/// Where a corner of one figure lies at the distance from the other, and no other corner of it nearer along the normal:
+/// as both are convex, that line separates them, and their distance is the distance itself.
+struct Contact {
+  double angle;  ///< rad, of the turning figure
+  double rate;   ///< m/rad, of the figures' distance
+};
+
+/// The angles in a window of at most one turn by which a figure has to be turned about the origin so that it comes to
+/// lie at a distance from the other one: each a contact of a corner with a flank or with the cap around a corner.
 class Contacts {
  public:
   Contacts(double distance, double size, Interval window)
-      : distance_(distance), beyond_(kBeyondEnd * size), window_(window) {}
+      : distance_(distance), beyond_(kBeyondEnd * size), has_sides_(distance > beyond_), window_(window) {}
 
   /// Of corners, with their distances from the origin, with the flanks of a figure. `sense` -1 where it is the figure
   /// that turns.
@@ -34,9 +44,9 @@ class Contacts {
       const Line line = {along, outwards, {begin - beyond_, begin + figure.length[i] + beyond_}};
       for (int k = 0; k < corners.count; ++k) {
         if (radius[k] == 0.0) continue;
-        const Turn turn = {corners.corners[k], radius[k], sense};
-        add_flank(line, off + distance_, turn);
-        if (figure.outline.count == 2 && distance_ > 0.0) add_flank(line, off - distance_, turn);
+        const Turn turn = {corners, k, radius[k], sense};
+        add_flank(line, off + distance_, 1.0, turn);
+        if (figure.outline.count == 2 && distance_ > 0.0) add_flank(line, off - distance_, -1.0, turn);
       }
     }
   }
@@ -45,18 +55,20 @@ class Contacts {
   void add_caps(const Outline& outline, const std::array<double, 4>& away, const Spinner& turning) {
     for (int k = 0; k < turning.figure.outline.count; ++k) {
       if (turning.radius[k] == 0.0) continue;
-      const Turn turn = {turning.figure.outline.corners[k], turning.radius[k], 1.0};
+      const Turn turn = {turning.figure.outline, k, turning.radius[k], 1.0};
       for (int i = 0; i < outline.count; ++i) add_cap(outline, i, away[i], turn);
     }
   }
 
-  /// All of them, ascending, with the window's two ends.
-  std::span<const double> cuts() {
-    angles_[count_++] = window_.lower;
-    angles_[count_++] = window_.upper;
-    std::sort(angles_.begin(), angles_.begin() + count_);
-    return {angles_.data(), static_cast<std::size_t>(count_)};
+  /// All of them, ascending.
+  std::span<const Contact> all() {
+    std::sort(contacts_.begin(), contacts_.begin() + count_,
+              [](const Contact& a, const Contact& b) { return a.angle < b.angle; });
+    return {contacts_.data(), static_cast<std::size_t>(count_)};
   }
+
+  /// Whether each is one beyond rounding, and the distance passes its value there.
+  bool are_sure() const { return are_sure_; }
 
  private:
   /// What is beside an edge: where it lies along its direction.
@@ -67,27 +79,45 @@ class Contacts {
   };
 
   struct Turn {
-    Eigen::Vector2d corner;
+    const Outline& outline;
+    int index;
     double radius;
     double sense;
+
+    const Eigen::Vector2d& corner() const { return outline.corners[index]; }
   };
 
-  /// From where the corner is to a place as far from the origin.
-  void add(const Eigen::Vector2d& place, const Turn& turn) {
-    double angle = turn.sense * std::atan2(cross(turn.corner, place), turn.corner.dot(place));
+  /// From where the corner is to a place as far from the origin, beside which the other figure lies against the normal.
+  void add(const Eigen::Vector2d& place, const Eigen::Vector2d& normal, bool is_sure, const Turn& turn) {
+    const double along = turn.corner().dot(place);
+    const double across = cross(turn.corner(), place);
+    const double per_square = 1.0 / (turn.radius * turn.radius);
+    const Heading heading = {per_square * along, per_square * across};
+    for (int i = 0; has_sides_ && i < turn.outline.count; ++i) {
+      if (i == turn.index) continue;
+      const double ahead = normal.dot(heading.turn(turn.outline.corners[i] - turn.corner()));
+      if (ahead < -beyond_) return;
+      is_sure = is_sure && ahead > beyond_;
+    }
+    double angle = turn.sense * std::atan2(across, along);
     if (angle < window_.lower || angle >= window_.lower + kTurn) {
       angle -= kTurn * std::floor((angle - window_.lower) / kTurn);
     }
-    if (window_.contains(angle)) angles_[count_++] = angle;
+    if (!window_.contains(angle)) return;
+    const double rate = turn.sense * normal.dot(turned_left(place));
+    are_sure_ = are_sure_ && has_sides_ && is_sure && std::abs(rate) > beyond_;
+    contacts_[count_++] = {angle, rate};
   }
 
   /// The line `off` the origin along a flank meets the circle of the corner twice.
-  void add_flank(const Line& line, double off, const Turn& turn) {
+  void add_flank(const Line& line, double off, double side, const Turn& turn) {
     const double square = (turn.radius - off) * (turn.radius + off);
     if (!(square >= 0.0)) return;
     const double chord = std::sqrt(square);
     for (const double share : {-chord, chord}) {
-      if (line.extent.contains(share)) add(off * line.outwards + share * line.along, turn);
+      if (!line.extent.contains(share)) continue;
+      const bool is_inside = share - line.extent.lower > 2.0 * beyond_ && line.extent.upper - share > 2.0 * beyond_;
+      add(off * line.outwards + share * line.along, side * line.outwards, is_inside, turn);
     }
   }
 
@@ -98,34 +128,38 @@ class Contacts {
         (turn.radius * turn.radius + away * away - distance_ * distance_) / (2.0 * turn.radius * away);
     if (!(std::abs(cosine) <= 1.0)) return;
     const Eigen::Vector2d towards = outline.corners[index] / away;
-    const Eigen::Vector2d across(-towards.y(), towards.x());
+    const Eigen::Vector2d across = turned_left(towards);
     const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
     for (const double side : {-sine, sine}) {
       const Eigen::Vector2d place = turn.radius * (cosine * towards + side * across);
-      if (is_beside_corner(outline, index, place)) add(place, turn);
+      const double ahead = most_ahead(outline, index, place);
+      if (ahead > beyond_) continue;
+      add(place, (place - outline.corners[index]) / distance_, ahead < -beyond_, turn);
     }
   }
 
-  /// Whether a corner is what of the outline is nearest to a place outside.
-  bool is_beside_corner(const Outline& outline, int index, const Eigen::Vector2d& place) const {
+  /// How far (m) a place lies from a corner along the edges that begin there: nowhere ahead, the corner is what of the
+  /// outline is nearest to it.
+  static double most_ahead(const Outline& outline, int index, const Eigen::Vector2d& place) {
     const Eigen::Vector2d& corner = outline.corners[index];
+    double most = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < outline.count; ++i) {
       if (i == index || (outline.count == 4 && i == (index + 2) % 4)) continue;
-      const Eigen::Vector2d towards = outline.corners[i] - corner;
-      const double ahead = (place - corner).dot(towards);
-      if (ahead > 0.0 && ahead > beyond_ * towards.norm()) return false;
+      most = std::max(most, (place - corner).dot((outline.corners[i] - corner).normalized()));
     }
-    return true;
+    return most;
   }
 
-  /// Four corners against four flanks or caps, and the other way round for flanks, two angles each; and two ends.
-  static constexpr int kMost = 2 * (3 * 4 * 4) + 2;
+  /// Four corners against four flanks or caps, and the other way round for flanks, two angles each.
+  static constexpr int kMost = 2 * (3 * 4 * 4);
 
   double distance_;
   double beyond_;
+  bool has_sides_;  ///< there are distances enough to tell on which side of a flank a contact is
   Interval window_;
-  std::array<double, kMost> angles_;
+  std::array<Contact, kMost> contacts_;
   int count_ = 0;
+  bool are_sure_ = true;
 };
 
 /// Pieces closer than this (rad) are one: the same cut, computed twice.
@@ -137,6 +171,21 @@ void append(IntervalList& intervals, Interval next) {
   } else {
     intervals.push_back(next);
   }
+}
+
+/// Between contacts at which the distance shrinks and grows in turn; false if it does not, or there is none to tell.
+bool add_between(std::span<const Contact> contacts, Interval window, IntervalList& found) {
+  if (contacts.empty()) return false;
+  double from = window.lower;
+  bool is_near = contacts.front().rate > 0.0;
+  for (const Contact& contact : contacts) {
+    if (is_near != (contact.rate > 0.0)) return false;
+    if (is_near) append(found, {from, contact.angle});
+    from = contact.angle;
+    is_near = !is_near;
+  }
+  if (is_near) append(found, {from, window.upper});
+  return true;
 }
 
 /// The intervals of the first turn of `window`, repeated for every turn that it meets, cut to it.
@@ -184,16 +233,23 @@ IntervalList colliding_angles(const Figure& fixed, const Spinner& turning, doubl
     return found;
   }
   // The distance equals `distance` only where a corner of one outline touches a cap or a flank of the other. Between
-  // two neighbouring contacts the answer cannot change, so one test in the middle decides.
+  // two neighbouring contacts the answer cannot change.
   const Interval first_turn = {window.lower, std::min(window.upper, window.lower + kTurn)};
   Contacts contacts(distance, turning.farthest + farthest + distance, first_turn);
   contacts.add_flanks(fixed, turning.figure.outline, turning.radius, 1.0);
   contacts.add_caps(fixed.outline, away, turning);
   contacts.add_flanks(turning.figure, fixed.outline, away, -1.0);
 
-  const std::span<const double> cuts = contacts.cuts();
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    if (collides_at(0.5 * (cuts[i] + cuts[i + 1]))) append(found, {cuts[i], cuts[i + 1]});
+  const std::span<const Contact> cuts = contacts.all();
+  if (!contacts.are_sure() || !add_between(cuts, first_turn, found)) {
+    found.clear();
+    double from = first_turn.lower;
+    const auto add_up_to = [&](double to) {
+      if (collides_at(0.5 * (from + to))) append(found, {from, to});
+      from = to;
+    };
+    for (const Contact& cut : cuts) add_up_to(cut.angle);
+    add_up_to(first_turn.upper);
   }
   if (first_turn.upper < window.upper) {
     const IntervalList all = unrolled(found, window);
