@@ -52,7 +52,7 @@ SingleJointArm::SingleJointArm(const Arm& arm)
       drives_best_at_rest_{torque_drives_best_at_rest(torque_, friction_, -1.0),
                            torque_drives_best_at_rest(torque_, friction_, 1.0)},
       bounds_{extreme_bound(Extreme::kLowest, velocity_), extreme_bound(Extreme::kHighest, velocity_)},
-      rest_bounds_{extreme_bound(Extreme::kLowest, {0.0, 0.0}), extreme_bound(Extreme::kHighest, {0.0, 0.0})} {}
+      rest_bounds_{rest_bound(Extreme::kLowest, bounds_.lower), rest_bound(Extreme::kHighest, bounds_.upper)} {}
 
 Interval SingleJointArm::acceleration(double s, double s_dot) const {
   const double held = gravity_.amplitude * std::sin(s - gravity_.phase) + friction_ * s_dot;
@@ -83,6 +83,12 @@ double SingleJointArm::extreme_bound(Extreme extreme, Interval admissible) const
     largest = std::max(largest, sign * (extreme_surplus(extreme, torque, gravity_, range_) - rubbed_off(velocity)));
   }
   return sign * largest / inertia_;
+}
+
+/// At standstill, from the bound over all velocities where that is the same.
+double SingleJointArm::rest_bound(Extreme extreme, double over_velocities) const {
+  const bool matters = velocity_matters(extreme, 1.0) || velocity_matters(extreme, -1.0);
+  return matters ? extreme_bound(extreme, {0.0, 0.0}) : over_velocities;
 }
 
 Interval SingleJointArm::acceleration_bounds(Interval velocities) const {

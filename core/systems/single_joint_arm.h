@@ -66,6 +66,7 @@ class SingleJointArm final : public System {
  private:
   std::array<bool, 2> velocity_dependence(Extreme extreme) const;
   double extreme_bound(Extreme extreme, Interval velocities) const;
+  double rest_bound(Extreme extreme, double over_velocities) const;
   double rubbed_off(double s_dot) const { return friction_ == 0.0 ? 0.0 : friction_ * s_dot; }  // 0 times infinity is 0
   static std::size_t index(Extreme extreme) { return extreme == Extreme::kLowest ? 0 : 1; }
 
