@@ -272,8 +272,8 @@ Interpolant::During Interpolant::during(Interval time) const {
   const double middle = 0.5 * (time.lower + time.upper);
   if (piece_count_ == 0) return {state(0, middle), 0.0, {}};
   const std::size_t first = piece_at(time.lower);
-  const std::size_t in_the_middle = piece_at(middle);
-  const std::size_t last = piece_at(time.upper);
+  const std::size_t in_the_middle = piece_at(middle, first);
+  const std::size_t last = piece_at(time.upper, in_the_middle);
   return {
       state(in_the_middle, middle),
       std::max(travel(first, in_the_middle, {time.lower, middle}), travel(in_the_middle, last, {middle, time.upper})),
