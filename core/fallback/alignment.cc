@@ -46,7 +46,7 @@ bool Alignment::proves(Itinerary& itinerary, int leader, double end) {
 
 bool Alignment::proves_as_is(Itinerary& itinerary, double end) {
   ++evaluations_;
-  if (!itinerary.settle(end)) return false;
+  if (!itinerary.settle(end, budget_)) return false;
   for (int arm = 0; arm < kArmCount; ++arm) {
     if (!itinerary.leave_by(arm, rules_.max_start_delay)) return false;
   }

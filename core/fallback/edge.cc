@@ -25,7 +25,8 @@ JointState state_at(const std::vector<Profile>& motions, double time) {
 
 }  // namespace
 
-std::optional<std::vector<Profile>> motions_of(const System& system, JointState from, const Move& move) {
+std::optional<std::vector<Profile>> motions_of(const System& system, JointState from, const Move& move,
+                                               const Budget& budget) {
   auto fastest = steer(system, from, move.target);
   if (!fastest) return std::nullopt;
   if (move.lasts < fastest->duration() - kSameTime) {
@@ -33,7 +34,7 @@ std::optional<std::vector<Profile>> motions_of(const System& system, JointState 
     if (!part) return std::nullopt;
     return std::vector<Profile>{std::move(*part)};
   }
-  if (move.lasts > fastest->duration() + kSameTime) return stretched(system, from, move.target, move.lasts);
+  if (move.lasts > fastest->duration() + kSameTime) return stretched(system, from, move.target, move.lasts, budget);
   return std::vector<Profile>{std::move(*fastest)};
 }
 

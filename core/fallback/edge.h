@@ -30,7 +30,8 @@ struct Edge {
 
 /// The motions of a move from a state, one or two; the same state and move give the same motions. Nothing where there
 /// are none.
-std::optional<std::vector<Profile>> motions_of(const System& system, JointState from, const Move& move);
+std::optional<std::vector<Profile>> motions_of(const System& system, JointState from, const Move& move,
+                                               const Budget& budget = Budget());
 
 /// Both arms on their way from states at a time to targets, by the fastest motion of each: edges differ by when the
 /// arms begin and where they end.

@@ -34,7 +34,7 @@ FreshPlans::FreshPlans(const Systems& systems, const ClearanceProof& proof, cons
       budget_(budget),
       alignment_(proof, rules, budget) {}
 
-void FreshPlans::run(int evaluation_limit, double longest) {
+void FreshPlans::run(int evaluation_limit, double longest, const std::function<void(const Itinerary&)>& on_better) {
   const auto is_best = [this] { return !found_.empty() && found_.front().duration() <= lower_bound_; };
   while (evaluations() < evaluation_limit && !is_best() && !budget_.exhausted()) {
     ++drawn_;
@@ -47,8 +47,10 @@ void FreshPlans::run(int evaluation_limit, double longest) {
     const auto is_shorter = [](const Itinerary& left, const Itinerary& right) {
       return left.duration() < right.duration();
     };
-    found_.insert(std::upper_bound(found_.begin(), found_.end(), aligned->itinerary, is_shorter),
-                  std::move(aligned->itinerary));
+    const auto place = std::upper_bound(found_.begin(), found_.end(), aligned->itinerary, is_shorter);
+    const bool is_better = place == found_.begin();
+    found_.insert(place, std::move(aligned->itinerary));
+    if (is_better) on_better(found_.front());
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/fallback/alignment.h"
@@ -18,7 +19,8 @@ class FreshPlans {
 
   /// Draws until `evaluation_limit` plans have been tried, one is as short as can be, or the budget is exhausted. Plans
   /// of `longest` (s) or more are of no use.
-  void run(int evaluation_limit, double longest);
+  /// `on_better` is told of each that is faster than all before.
+  void run(int evaluation_limit, double longest, const std::function<void(const Itinerary&)>& on_better);
 
   /// The `count` fastest that differ, the fastest first.
   std::vector<Itinerary> best(std::size_t count) const;

@@ -122,16 +122,17 @@ void Itinerary::align(int leader, double end) {
   }
 }
 
-bool Itinerary::settle(double end) {
+bool Itinerary::settle(double end, const Budget& budget) {
   for (int arm = 0; arm < kArmCount; ++arm) {
     if (legs_[arm].empty()) {
-      if (arrivals_.earliest[arm] > 0.0) return false;
+      const bool stays = start_[arm].velocity == 0.0 || end == 0.0;
+      if (!stays || arrivals_.earliest[arm] > 0.0) return false;
       continue;
     }
     const double late = arrival(arm);
     if (legs_[arm].back().motion->goal.velocity == 0.0) {
-      if (late < arrivals_.earliest[arm] && !delay(arm, arrivals_.earliest[arm] - late)) return false;
-    } else if (std::abs(end - late) > kSameTime * end && !(end > late && delay(arm, end - late))) {
+      if (late < arrivals_.earliest[arm] && !delay(arm, arrivals_.earliest[arm] - late, budget)) return false;
+    } else if (std::abs(end - late) > kSameTime * end && !(end > late && delay(arm, end - late, budget))) {
       return false;
     }
   }
@@ -139,7 +140,7 @@ bool Itinerary::settle(double end) {
 }
 
 /// Where the arm last rests, or else by a slower last leg.
-bool Itinerary::delay(int arm, double by) {
+bool Itinerary::delay(int arm, double by, const Budget& budget) {
   auto& legs = legs_[arm];
   const auto rest = std::find_if(legs.rbegin(), legs.rend(), [](const Leg& leg) { return leg.motion->may_wait; });
   if (rest != legs.rend()) {
@@ -147,7 +148,7 @@ bool Itinerary::delay(int arm, double by) {
     return true;
   }
   const auto last = legs.back().motion;
-  const auto slower = stretched(*systems_[arm], last->start, last->goal, legs.back().duration() + by);
+  const auto slower = stretched(*systems_[arm], last->start, last->goal, legs.back().duration() + by, budget);
   if (!slower) return false;
   legs.pop_back();
   for (const Profile& profile : *slower) {

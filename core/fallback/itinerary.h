@@ -70,8 +70,8 @@ class Itinerary {
   void align(int leader, double end);
 
   /// Lets arms arrive no sooner than they may, those that are in motion at their goal at `end` (s), by longer waits
-  /// where they last rest or else by slowing down. False, and half done, where that cannot be.
-  bool settle(double end);
+  /// where they last rest or else by slowing down. False, and half done, where that cannot be or the budget runs out.
+  bool settle(double end, const Budget& budget = Budget());
 
   /// Lets an arm that would first move later than `latest` (s) take a small step on its way then, and wait there.
   /// False, and half done, where it cannot.
@@ -98,7 +98,7 @@ class Itinerary {
 
   std::shared_ptr<const Motion> motion_along(int arm, JointState from, JointState to, const Profile& profile) const;
   std::optional<Leg> leg_between(int arm, double wait, JointState from, JointState to) const;
-  bool delay(int arm, double by);
+  bool delay(int arm, double by, const Budget& budget);
 
   Systems systems_;
   JointStates start_;

@@ -145,7 +145,7 @@ class Search {
   void enter_fresh() {
     if (is_done() || proof_.slack(positions_of(start_)) <= 0.0) return;
     FreshPlans fresh(systems_, proof_, Itinerary(systems_, start_, arrivals_), goal_, plan_rules(), random_, budget_);
-    fresh.run(share(kFreshShare), kTolerated * shortest());
+    fresh.run(share(kFreshShare), kTolerated * shortest(), [this](const Itinerary& plan) { tell(plan); });
     count(fresh.evaluations());
     for (Itinerary& plan : fresh.best(kFresh)) enter(std::move(plan));
   }
@@ -192,9 +192,14 @@ class Search {
   void take(const Refinement& contender) {
     if (contender.duration() >= shortest()) return;
     best_ = contender.best();
-    if (!rules_.on_incumbent || best_->duration() > told_ * (1.0 - kToldGain)) return;
-    told_ = best_->duration();
-    rules_.on_incumbent(best_->schedule(), told_);
+    tell(*best_);
+  }
+
+  /// Those who watch, if it is faster by so much that it is worth proving.
+  void tell(const Itinerary& plan) {
+    if (!rules_.on_incumbent || plan.duration() > std::min(told_ * (1.0 - kToldGain), shortest())) return;
+    told_ = plan.duration();
+    rules_.on_incumbent(plan.schedule(), told_);
   }
 
   /// A tree from the start, and the plan that it finds.
@@ -239,7 +244,7 @@ class Search {
       for (int arm = 0; arm < kArmCount; ++arm) {
         const Move& move = edge.moves[arm];
         if (move.lasts == 0.0) continue;
-        const auto motions = motions_of(*systems_[arm], from[arm], move);
+        const auto motions = motions_of(*systems_[arm], from[arm], move, budget_);
         if (!motions) return std::nullopt;
         for (const Profile& motion : *motions) {
           const bool is_last = &motion == &motions->back();

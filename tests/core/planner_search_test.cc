@@ -100,6 +100,20 @@ TEST(PlannerSearch, TellsVerifiedPlansEachFasterThanTheOneBeforeAndTheLastIsTheA
   EXPECT_GT(watched.statistics.fallback_node_count, 0);
 }
 
+TEST(PlannerSearch, FindsAWayBackToAStateInMotionForAnArmThatCannotStayThere) {
+  Problem problem = paper_problem({20, 70}, {20, 60}, 0.05);
+  for (JointState* state : {&problem.tasks[0].start, &problem.tasks[0].goal}) state->velocity = 0.3;
+  for (const Problem& asked : {problem, forced(problem)}) {
+    const Plan found = must_plan(asked);
+    EXPECT_EQ(found.method, Method::kStateTime);
+    EXPECT_GT(found.duration, 0.74) << "the other arm's";
+    EXPECT_LT(found.duration, 0.9);
+  }
+  problem.tasks[1] = problem.tasks[0];
+  problem.tasks[1].start.position = problem.tasks[1].goal.position = 1.2;
+  EXPECT_EQ(must_plan(problem).duration, 0.0) << "both are where they should be";
+}
+
 /// Arm 1 starts towards the other one: the passage found takes 1.55 s, and there are motions of 1.07 s.
 Problem poor_passage() {
   Problem problem = with_moving_ends(random_problem(0), 0, 1.5);

@@ -21,7 +21,13 @@ std::vector<Itinerary> drawn(const Problem& problem, const ArmSystems& arms, std
   const Itinerary start(arms.both(), {problem.tasks[0].start, problem.tasks[1].start});
   FreshPlans fresh(arms.both(), proof, start, {problem.tasks[0].goal, problem.tasks[1].goal},
                    {0.0, problem.options.max_start_delay}, random, budget);
-  fresh.run(evaluations, longest);
+  double shortest = kAnyDuration;
+  fresh.run(evaluations, longest, [&shortest](const Itinerary& better) {
+    EXPECT_LT(better.duration(), shortest);
+    shortest = better.duration();
+  });
+  const std::vector<Itinerary> best = fresh.best(1);
+  EXPECT_EQ(shortest, best.empty() ? kAnyDuration : best.front().duration()) << "is told of the best at last";
   EXPECT_LE(fresh.evaluations(), evaluations + 10);
   return fresh.best(count);
 }

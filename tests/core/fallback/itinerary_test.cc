@@ -127,6 +127,22 @@ TEST_F(ItineraryTest, LetsAnArmInMotionAtItsGoalArriveAtTheEnd) {
   EXPECT_EQ(moving.leg_count(0), 2);
 }
 
+TEST_F(ItineraryTest, LetsAnArmStandOnlyAtRestOrInNoTime) {
+  EXPECT_TRUE(Itinerary(arms_.both(), at_rest({0.2, 1.0})).settle(3.0));
+  Itinerary moving(arms_.both(), {JointState{0.2, 0.4}, JointState{1.0, 0.0}});
+  EXPECT_FALSE(moving.settle(3.0));
+  EXPECT_TRUE(moving.settle(0.0));
+}
+
+TEST_F(ItineraryTest, StopsSlowingDownWhenItIsCancelled) {
+  const JointState start = {0.2, 0.4};
+  const JointState goal = {0.9, 0.5};
+  Itinerary moving(arms_.both(), {start, JointState{1.0, 0.0}});
+  const auto quick = steer(*arms_.both()[0], start, goal);
+  moving.append(0, 0.0, *quick, goal);
+  EXPECT_FALSE(moving.settle(quick->duration() + 0.2, Budget(Budget::Clock::now())));
+}
+
 TEST_F(ItineraryTest, LetsAnArmArriveNoSoonerThanAnObjectHasLeft) {
   Itinerary waiting(arms_.both(), at_rest({0.2, 1.0}), Arrivals{{3.0, 0.0}});
   append_leg(waiting, arms_.both(), 0, 0.0, 0.2, 0.7);

@@ -95,7 +95,7 @@ TEST(SearchStateTime, StartsAndEndsInMotion) {
     Problem problem = moving_retreat();
     problem.options.seed = seed;
     const ArmSystems arms(problem);
-    const SearchResult result = search(problem, arms, 8000);
+    const SearchResult result = search(problem, arms, 12000);
     ASSERT_TRUE(result.schedule);
     expect_consistent(problem, *result.schedule, result.duration);
     EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
