@@ -29,22 +29,33 @@ struct PlacedBody {
   double radius;  ///< m
 };
 
+PlacedBody placed_body(const Body& body, const Eigen::Isometry3d& pose) {
+  Shape shape = placed(body.shape, pose);
+  const Eigen::Vector3d middle = centre(shape);
+  return {&body, std::move(shape), middle, bounding_radius(body.shape)};
+}
+
 std::vector<PlacedBody> placed_bodies(const std::vector<Body>& bodies, const Eigen::Isometry3d& pose) {
   std::vector<PlacedBody> all;
   all.reserve(bodies.size());
-  for (const Body& body : bodies) {
-    Shape shape = placed(body.shape, pose);
-    const Eigen::Vector3d middle = centre(shape);
-    all.push_back({&body, std::move(shape), middle, bounding_radius(body.shape)});
-  }
+  for (const Body& body : bodies) all.push_back(placed_body(body, pose));
   return all;
 }
 
-/// The closest two bodies that must not meet, of start and goal.
+/// Objects on tracks, where they are as the plan begins.
+std::vector<PlacedBody> placed_at_begin(const std::vector<TrackedBody>& tracked) {
+  std::vector<PlacedBody> all;
+  for (const TrackedBody& object : tracked) all.push_back(placed_body(object.body, object.track->pose_at(0.0)));
+  return all;
+}
+
+/// The closest two bodies that must not meet, of start and goal. Objects on tracks may be anywhere at the end.
 std::optional<PlacedPair> closest_pair(const Problem& problem) {
   const std::array<std::vector<Body>, kArmCount> moving = {moving_bodies(problem, 0), moving_bodies(problem, 1)};
   const std::vector<Body> standing = fixed_bodies(problem);
   const std::vector<PlacedBody> fixed = placed_bodies(standing, Eigen::Isometry3d::Identity());
+  const std::vector<TrackedBody> tracked = tracked_bodies(problem);
+  const std::vector<PlacedBody> at_begin = placed_at_begin(tracked);
   std::optional<PlacedPair> closest;
   for (const bool at_goal : {false, true}) {
     const auto consider = [&](const std::vector<PlacedBody>& some, const std::vector<PlacedBody>& others) {
@@ -69,6 +80,9 @@ std::optional<PlacedPair> closest_pair(const Problem& problem) {
     consider(of_first, of_second);
     consider(of_first, fixed);
     consider(of_second, fixed);
+    if (at_goal) continue;
+    consider(of_first, at_begin);
+    consider(of_second, at_begin);
   }
   return closest;
 }

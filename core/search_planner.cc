@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/certify.h"
 #include "core/exact_starts.h"
 #include "core/fallback/state_time_planner.h"
 #include "core/passage_choice.h"
@@ -60,6 +61,7 @@ class SearchPlanner {
     const SearchResult result = search();
     if (result.schedule) {
       add({*result.schedule, result.duration});
+      if (is_at_bound()) return best_proven();
       if (auto exact = with_exact_starts(prepared_, *result.schedule, result.duration, budget_.methods)) {
         add({std::move(exact->schedule), exact->duration});
       }
@@ -73,7 +75,7 @@ class SearchPlanner {
     SearchRules rules;
     rules.clearance = prepared_.clearance();
     rules.memory_limit = prepared_.problem().options.search_memory;
-    rules.lower_bound = std::max(findings_.bounds.of_every_plan(), findings_.bounds.planned.duration);
+    rules.lower_bound = least_duration();
     rules.known = findings_.analytic;
     if (rules.known) rules.evaluation_limit = kFurtherEvaluations;
     rules.on_incumbent = [this](const Schedule& schedule, double duration) { take(schedule, duration); };
@@ -114,6 +116,14 @@ class SearchPlanner {
     if (auto passage = fastest_passage(prepared_, passages, known_duration(), budget_.methods)) {
       add({schedule_of(*passage), passage->times.duration});
     }
+  }
+
+  /// Whether nothing faster than the fastest plan known is left to be found.
+  bool is_at_bound() const { return known_duration() <= least_duration() * (1.0 + kAtBound); }
+
+  /// s: no plan that keeps the planning margin is faster.
+  double least_duration() const {
+    return std::max(findings_.bounds.of_every_plan(), findings_.bounds.planned.duration);
   }
 
   /// s, of the fastest plan known.

@@ -26,8 +26,14 @@ std::string note_on(const wire::GetPhasePortraitResponse& response) {
 }  // namespace
 
 PlanningService::PlanningService(PlanningFunctions functions, WorkerPools& pools, const ServiceLimits& limits)
-    : planner_{std::move(functions), pools,  limits.longest_planning, limits.search_memory, limits.request,
-               limits.trial,         trials_},
+    : planner_{std::move(functions),
+               pools,
+               limits.longest_planning,
+               limits.search_memory,
+               limits.request,
+               limits.trial,
+               trials_,
+               ticker_},
       streams_(limits.streams),
       batch_in_flight_(limits.batch_in_flight),
       ticker_(kTick) {}

@@ -5,33 +5,36 @@
 
 namespace dualarm {
 
-PoseTrack::PoseTrack(std::vector<TimedPose> poses) : poses_(std::move(poses)) {
+PoseTrack::PoseTrack(std::vector<TimedPose> poses) {
+  std::vector<Segment> segments;
   double travel = 0.0;
   double turn = 0.0;
-  for (std::size_t i = 0; i + 1 < poses_.size(); ++i) {
-    const Eigen::Isometry3d& from = poses_[i].pose;
-    const Eigen::Isometry3d& to = poses_[i + 1].pose;
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
+    const Eigen::Isometry3d& from = poses[i].pose;
+    const Eigen::Isometry3d& to = poses[i + 1].pose;
     const Eigen::AngleAxisd turned(Eigen::Matrix3d(from.linear().transpose() * to.linear()));
     const Eigen::Vector3d way = to.translation() - from.translation();
-    segments_.push_back({poses_[i + 1].time - poses_[i].time, way, turned.axis(), turned.angle(), travel, turn});
+    segments.push_back({poses[i + 1].time - poses[i].time, way, turned.axis(), turned.angle(), travel, turn});
     travel += way.norm();
     turn += turned.angle();
   }
+  poses_ = std::make_shared<const std::vector<TimedPose>>(std::move(poses));
+  segments_ = std::make_shared<const std::vector<Segment>>(std::move(segments));
 }
 
 std::size_t PoseTrack::segment_at(double time) const {
-  const auto later = std::upper_bound(poses_.begin(), poses_.end() - 1, time,
+  const auto later = std::upper_bound(poses().begin(), poses().end() - 1, time,
                                       [](double value, const TimedPose& pose) { return value < pose.time; });
-  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - poses_.begin() - 1, 0));
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - poses().begin() - 1, 0));
 }
 
 Eigen::Isometry3d PoseTrack::pose_at(double time) const {
-  if (time <= begin_time()) return poses_.front().pose;
-  if (time >= end_time()) return poses_.back().pose;
-  const std::size_t i = std::min(segment_at(time), segments_.size() - 1);
-  const Segment& segment = segments_[i];
-  const double share = (time - poses_[i].time) / segment.duration;
-  Eigen::Isometry3d pose = poses_[i].pose;
+  if (time <= begin_time()) return poses().front().pose;
+  if (time >= end_time()) return poses().back().pose;
+  const std::size_t i = std::min(segment_at(time), segments().size() - 1);
+  const Segment& segment = segments()[i];
+  const double share = (time - poses()[i].time) / segment.duration;
+  Eigen::Isometry3d pose = poses()[i].pose;
   pose.translation() += share * segment.way;
   pose.linear() = pose.linear() * Eigen::AngleAxisd(share * segment.angle, segment.axis).toRotationMatrix();
   return pose;
@@ -40,10 +43,10 @@ Eigen::Isometry3d PoseTrack::pose_at(double time) const {
 template <typename Rate>
 double PoseTrack::largest(Interval time, const Rate& rate) const {
   double found = 0.0;
-  const auto first_end = std::lower_bound(poses_.begin() + 1, poses_.end(), time.lower,
+  const auto first_end = std::lower_bound(poses().begin() + 1, poses().end(), time.lower,
                                           [](const TimedPose& pose, double value) { return pose.time < value; });
-  for (auto end = first_end; end < poses_.end() && (end - 1)->time <= time.upper; ++end) {
-    found = std::max(found, rate(segments_[static_cast<std::size_t>(end - poses_.begin() - 1)]));
+  for (auto end = first_end; end < poses().end() && (end - 1)->time <= time.upper; ++end) {
+    found = std::max(found, rate(segments()[static_cast<std::size_t>(end - poses().begin() - 1)]));
   }
   return found;
 }
@@ -61,17 +64,17 @@ double PoseTrack::travel(Interval time) const { return travel_until(time.upper) 
 double PoseTrack::turn(Interval time) const { return turn_until(time.upper) - turn_until(time.lower); }
 
 double PoseTrack::travel_until(double time) const {
-  if (segments_.empty() || time <= begin_time()) return 0.0;
-  const std::size_t i = std::min(segment_at(time), segments_.size() - 1);
-  const double share = std::min((time - poses_[i].time) / segments_[i].duration, 1.0);
-  return segments_[i].travel_before + share * segments_[i].way.norm();
+  if (segments().empty() || time <= begin_time()) return 0.0;
+  const std::size_t i = std::min(segment_at(time), segments().size() - 1);
+  const double share = std::min((time - poses()[i].time) / segments()[i].duration, 1.0);
+  return segments()[i].travel_before + share * segments()[i].way.norm();
 }
 
 double PoseTrack::turn_until(double time) const {
-  if (segments_.empty() || time <= begin_time()) return 0.0;
-  const std::size_t i = std::min(segment_at(time), segments_.size() - 1);
-  const double share = std::min((time - poses_[i].time) / segments_[i].duration, 1.0);
-  return segments_[i].turn_before + share * segments_[i].angle;
+  if (segments().empty() || time <= begin_time()) return 0.0;
+  const std::size_t i = std::min(segment_at(time), segments().size() - 1);
+  const double share = std::min((time - poses()[i].time) / segments()[i].duration, 1.0);
+  return segments()[i].turn_before + share * segments()[i].angle;
 }
 
 }  // namespace dualarm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <vector>
 
 #include "geometry/interval.h"
@@ -26,9 +27,9 @@ class PoseTrack {
 
   Eigen::Isometry3d pose_at(double time) const;
 
-  double begin_time() const { return poses_.front().time; }  ///< s, of the first pose
-  double end_time() const { return poses_.back().time; }     ///< s, of the last pose
-  const std::vector<TimedPose>& poses() const { return poses_; }
+  double begin_time() const { return poses().front().time; }  ///< s, of the first pose
+  double end_time() const { return poses().back().time; }     ///< s, of the last pose
+  const std::vector<TimedPose>& poses() const { return *poses_; }
 
   /// From one pose to the next.
   struct Segment {
@@ -41,7 +42,7 @@ class PoseTrack {
   };
 
   /// One less than poses().
-  const std::vector<Segment>& segments() const { return segments_; }
+  const std::vector<Segment>& segments() const { return *segments_; }
 
   /// Largest speed of the origin (m/s) and largest turning rate (rad/s) at any time of an interval (s), which may
   /// reach beyond the track; at a corner that of both sides counts.
@@ -62,8 +63,9 @@ class PoseTrack {
   double travel_until(double time) const;
   double turn_until(double time) const;
 
-  std::vector<TimedPose> poses_;
-  std::vector<Segment> segments_;
+  // Shared by copies: scenes are copied often, and tracks may have thousands of poses.
+  std::shared_ptr<const std::vector<TimedPose>> poses_;
+  std::shared_ptr<const std::vector<Segment>> segments_;
 };
 
 }  // namespace dualarm

@@ -13,6 +13,9 @@
 namespace dualarm {
 namespace {
 
+/// The part of what is left of the budget for which a plan in hand waits for its search: one in so many.
+constexpr int kShareOfPatience = 2;
+
 std::chrono::nanoseconds work_of_this_thread() {
   timespec time = {};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -47,7 +50,7 @@ PlanningTask::PlanningTask(const Planner& planner, const Caller& caller, const w
       observer_(std::move(observer)) {}
 
 void PlanningTask::start() {
-  if (!submit(planner_.pools.quick, &PlanningTask::begin, Queue::kYes)) finish({overloaded(), "queue full"});
+  if (!submit(planner_.pools.quick, &PlanningTask::begin)) finish({overloaded(), "queue full"});
 }
 
 void PlanningTask::start_here() {
@@ -66,15 +69,13 @@ void PlanningTask::start_here() {
   start();
 }
 
-bool PlanningTask::submit(WorkerPool& pool, void (PlanningTask::*step)(), Queue queue) {
+bool PlanningTask::submit(WorkerPool& pool, void (PlanningTask::*step)()) {
   submitted_ = Clock::now();
   WorkerPool::Task task = [this, step] {
     waited_ += Clock::now() - submitted_;
     (this->*step)();
   };
-  if (when_full_ == WhenFull::kRefuse) {
-    return queue == Queue::kYes ? pool.try_submit(std::move(task)) : pool.try_submit_at_once(std::move(task));
-  }
+  if (when_full_ == WhenFull::kRefuse) return pool.try_submit(std::move(task));
   pool.submit(std::move(task));
   return true;
 }
@@ -87,10 +88,42 @@ void PlanningTask::begin() {
 void PlanningTask::go_on(std::optional<Answer> quick) {
   if (quick) return finish(*std::move(quick));
   if (caller_.has_left()) return finish(gone("before the search"));
-  const auto in_hand = steps_->in_hand();
-  if (submit(planner_.pools.search, &PlanningTask::resume, in_hand ? Queue::kNo : Queue::kYes)) return;
-  if (!in_hand) return finish({searches_overloaded(), "search queue full"});
-  finish(answer_of(caller_.rpc(), request_, [&] { return answer(*in_hand); }));
+  if (const auto in_hand = steps_->in_hand(); in_hand && when_full_ == WhenFull::kRefuse) {
+    return wait_for_search(*in_hand);
+  }
+  if (!submit(planner_.pools.search, &PlanningTask::resume)) finish({searches_overloaded(), "search queue full"});
+}
+
+// Waiting takes from the budget here: what is left when patience ends is for the answer, or for a search that is late.
+void PlanningTask::wait_for_search(const Outcome& in_hand) {
+  const auto wait = std::make_shared<Wait>(in_hand, caller_.budget(budget_left_ / kShareOfPatience));
+  wait_ = wait;
+  submitted_ = Clock::now();
+  planner_.ticker.add(*this);
+  const bool is_queued = planner_.pools.search.try_submit([this, wait] {
+    if (wait->is_over.exchange(true)) return;  // the task may be gone
+    planner_.ticker.remove(*this);
+    const auto waited = Clock::now() - submitted_;
+    waited_ += waited;
+    budget_left_ -= waited;
+    resume();
+  });
+  if (is_queued || wait->is_over.exchange(true)) return;
+  planner_.ticker.remove(*this);
+  answer_in_hand();
+}
+
+void PlanningTask::tick(Ticker::Clock::time_point /*now*/) {
+  if (!wait_->patience.exhausted() || wait_->is_over.exchange(true)) return;
+  planner_.pools.quick.submit([this] {
+    planner_.ticker.remove(*this);
+    waited_ += Clock::now() - submitted_;
+    answer_in_hand();
+  });
+}
+
+void PlanningTask::answer_in_hand() {
+  finish(answer_of(caller_.rpc(), request_, [this] { return answer(wait_->in_hand); }));
 }
 
 void PlanningTask::resume() {

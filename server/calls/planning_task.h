@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -9,6 +10,7 @@
 #include "server/calls/answer.h"
 #include "server/calls/caller.h"
 #include "server/calls/places.h"
+#include "server/calls/ticker.h"
 #include "server/planning_functions.h"
 #include "server/pools/worker_pools.h"
 #include "server/request/requests.h"
@@ -25,6 +27,7 @@ struct Planner {
   RequestLimits limits;
   std::chrono::nanoseconds trial;  ///< of processor time, for which gRPC's thread may try a plan; zero: not at all
   Places& trials;                  ///< how many of them may at once
+  Ticker& ticker;
 };
 
 /// Whether a request is refused or waits when the pools are full.
@@ -33,7 +36,7 @@ enum class WhenFull { kRefuse, kWait };
 /// One request of PlanMotion on its way to the answer, the same for every kind of call: parsed and planned by the quick
 /// methods on one pool; what they leave to the search goes on to another, with what is left of its budget. Waiting
 /// takes nothing from the budget.
-class PlanningTask {
+class PlanningTask final : private Ticker::Listener {
  public:
   /// Called once, as the task's last deed, on a worker or on the thread that starts the task: it may delete the task.
   using Done = std::function<void(const Answer&)>;
@@ -53,14 +56,21 @@ class PlanningTask {
  private:
   using Clock = Caller::Clock;
 
-  /// Whether a request that is refused where pools are full may wait in their queues: not for a better plan than the
-  /// one in hand.
-  enum class Queue { kYes, kNo };
+  /// A plan in hand that waits for its search. A thread that is free for the search ends the wait, or the tick that
+  /// finds patience exhausted: whichever is first to say so.
+  struct Wait {
+    Outcome in_hand;
+    Budget patience;
+    std::atomic<bool> is_over = false;
+  };
 
   /// Hands it to the pool; false if the pool is full. The task may be gone when this returns true.
-  bool submit(WorkerPool& pool, void (PlanningTask::*step)(), Queue queue);
+  bool submit(WorkerPool& pool, void (PlanningTask::*step)());
   void begin();
   void go_on(std::optional<Answer> quick);
+  void wait_for_search(const Outcome& in_hand);
+  void tick(Ticker::Clock::time_point now) override;
+  void answer_in_hand();
   void resume();
 
   /// Nothing where the search is to come, or where a trial was too short.
@@ -87,6 +97,7 @@ class PlanningTask {
   PlanWish wish_;
   std::chrono::nanoseconds budget_left_{};
   std::unique_ptr<PlanningSteps> steps_;
+  std::shared_ptr<Wait> wait_;
   Clock::time_point submitted_;
   Clock::duration waited_{};
 };

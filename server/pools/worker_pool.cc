@@ -31,15 +31,11 @@ WorkerPool::~WorkerPool() {
   changed_.notify_all();
 }
 
-bool WorkerPool::try_submit(Task task) { return try_submit(std::move(task), size_.queue_capacity); }
-
-bool WorkerPool::try_submit_at_once(Task task) { return try_submit(std::move(task), 0); }
-
-bool WorkerPool::try_submit(Task task, int may_wait) {
+bool WorkerPool::try_submit(Task task) {
   {
     const std::lock_guard lock(mutex_);
     const std::size_t idle = size_.threads - running_;
-    if (urgent_.size() >= idle + may_wait) return false;
+    if (urgent_.size() >= idle + size_.queue_capacity) return false;
     urgent_.push_back(std::move(task));
   }
   changed_.notify_one();

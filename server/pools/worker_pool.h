@@ -36,9 +36,6 @@ class WorkerPool {
   /// not throw.
   [[nodiscard]] bool try_submit(Task task);
 
-  /// The same without the queue: false if no thread is free for it.
-  [[nodiscard]] bool try_submit_at_once(Task task);
-
   /// For tasks that may wait as long as it takes: the others go first, but a few of them at most between two of these.
   void submit(Task task);
 
@@ -46,7 +43,6 @@ class WorkerPool {
   std::size_t waiting() const;
 
  private:
-  bool try_submit(Task task, int may_wait);
   void work();
   std::optional<Task> next();
 

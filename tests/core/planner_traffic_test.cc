@@ -100,6 +100,23 @@ TEST(PlanAmongMovingObjects, IsImpossibleWhereOneStaysAtAGoal) {
   }
 }
 
+TEST(PlanAmongMovingObjects, IsImpossibleWhereOneIsInAnArmAsThePlanBegins) {
+  Problem problem = falling_ball_problem(0.0, false);
+  const double start = problem.tasks[0].start.position;
+  const auto beyond = [&](double way) { return pose_at(way * std::cos(start), way * std::sin(start)); };
+  problem.objects[0].placement = MovingPlacement{PoseTrack({{0.0, beyond(3.0)}, {0.5, beyond(9.0)}})};
+  for (const Method method : {Method::kDelay, Method::kStateTime}) {
+    problem.options.methods = {method};
+    const Infeasible refusal = must_refuse(problem);
+    EXPECT_EQ(refusal.reason, InfeasibleReason::kStartInCollision);
+    EXPECT_EQ(refusal.evidence.first_body, problem.arms[0].name);
+    EXPECT_EQ(refusal.evidence.second_body, "ball");
+  }
+  // What was there before and is gone counts for nothing.
+  problem.objects[0].placement = MovingPlacement{PoseTrack({{-0.5, beyond(3.0)}, {0.0, beyond(9.0)}})};
+  EXPECT_GT(must_plan(problem).duration, 0.0);
+}
+
 TEST(PlanAmongMovingObjects, DoesNotEndBeforeTheLastHasPassedAGoal) {
   // The ball comes down long after the arms could have arrived: one rule for every method.
   for (const Method method : {Method::kSimultaneous, Method::kDelay, Method::kPassage, Method::kStateTime}) {

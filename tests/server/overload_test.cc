@@ -95,25 +95,75 @@ TEST(Overload, ASearchTooManyIsRefusedAtOnceWithARetryDelay) {
   EXPECT_EQ(running.response.undecided().explanation(), "searched");
 }
 
-TEST(Overload, APlanInHandIsAnsweredWhereNoSearchThreadIsFreeForABetterOne) {
-  std::latch searching(1);
-  std::promise<void> release;
-  const PlanningFunctions functions = functions_with(search_planning(
-      [&](const auto&...) {
-        searching.count_down();
-        release.get_future().wait();
-        return Outcome{plan_of(1.0), {}};
-      },
-      Outcome{plan_of(2.0), {}}));
-  const TestServer server(functions, one_search_at_a_time(5));
+/// A plan of 2 s is in hand at once; searches find one of 1 s, the first of them only when it is released.
+class PlansInHand {
+ public:
+  PlanningFunctions functions() {
+    return functions_with(search_planning(
+        [this](const auto&...) {
+          if (!has_begun_.exchange(true)) {
+            searching_.count_down();
+            release_.get_future().wait();
+          }
+          return Outcome{plan_of(1.0), {}};
+        },
+        Outcome{plan_of(2.0), {}}));
+  }
+  void wait_for_search() { searching_.wait(); }
+  void release() { release_.set_value(); }
+
+ private:
+  std::atomic<bool> has_begun_ = false;
+  std::latch searching_{1};
+  std::promise<void> release_;
+};
+
+TEST(Overload, PlansInHandWaitForTheirSearchesSoThatTheAnswersAreAlike) {
+  PlansInHand plans;
+  const TestServer server(plans.functions(), one_search_at_a_time(20));
   Call running(server, request_with_seed(0));
-  searching.wait();
+  plans.wait_for_search();
+  std::vector<std::unique_ptr<Call>> calls;
+  for (int i = 0; i < 16; ++i) calls.push_back(std::make_unique<Call>(server, request_with_seed(0)));
+  EXPECT_EQ(calls.back()->status.wait_for(std::chrono::milliseconds(200)), std::future_status::timeout);
+  plans.release();
+  ASSERT_TRUE(running.status.get().ok());
+  for (const auto& call : calls) {
+    ASSERT_TRUE(call->status.get().ok());
+    EXPECT_EQ(call->response.plan().duration_s(), 1.0);
+  }
+}
+
+TEST(Overload, APlanInHandIsTheAnswerWhereNoSearchMayWait) {
+  PlansInHand plans;
+  const TestServer server(plans.functions(), one_search_at_a_time(0));
+  Call running(server, request_with_seed(0));
+  plans.wait_for_search();
   Call beside(server, request_with_seed(0));
   ASSERT_TRUE(beside.status.get().ok());
   EXPECT_EQ(beside.response.plan().duration_s(), 2.0);
-  release.set_value();
+  plans.release();
   ASSERT_TRUE(running.status.get().ok());
   EXPECT_EQ(running.response.plan().duration_s(), 1.0);
+}
+
+TEST(Overload, APlanInHandIsTheAnswerBeforeItsBudgetEndsInTheQueue) {
+  PlansInHand plans;
+  ServerOptions options = one_search_at_a_time(5);
+  options.planning_budget = 0.4;
+  const TestServer server(plans.functions(), options);
+  Call running(server, request_with_seed(0));
+  plans.wait_for_search();
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<std::unique_ptr<Call>> calls;
+  for (int i = 0; i < 5; ++i) calls.push_back(std::make_unique<Call>(server, request_with_seed(0)));
+  for (const auto& call : calls) {
+    ASSERT_TRUE(call->status.get().ok());
+    EXPECT_EQ(call->response.plan().duration_s(), 2.0);
+  }
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(150)) << "it has waited";
+  plans.release();
+  ASSERT_TRUE(running.status.get().ok());
 }
 
 TEST(Overload, SixtyFourSearchesKeepNeitherQuickPlansNorHealthNorDrawingsWaiting) {

@@ -68,6 +68,7 @@ TEST(PlanningTask, BeginsAnewOnAWorkerWhereATrialIsTooShort) {
                           })),
                           one_worker(1.0), kTriesInline);
   EXPECT_EQ(planned(server).undecided().explanation(), "whole");
+  const std::lock_guard lock(mutex);
   ASSERT_EQ(threads.size(), 2u);
   EXPECT_NE(threads[0], threads[1]);
 }

@@ -42,25 +42,6 @@ TEST(WorkerPool, RefusesWhenThreadsAndQueueAreFull) {
   EXPECT_EQ(done, 3);
 }
 
-TEST(WorkerPool, RunsAtOnceOrNotAtAllWhatMayNotWait) {
-  std::latch running(1);
-  std::promise<void> release;
-  std::atomic<int> done = 0;
-  {
-    WorkerPool pool({1, 5});
-    EXPECT_TRUE(pool.try_submit_at_once([&] {
-      running.count_down();
-      release.get_future().wait();
-      ++done;
-    }));
-    running.wait();
-    EXPECT_FALSE(pool.try_submit_at_once([&done] { ++done; }));
-    EXPECT_TRUE(pool.try_submit([&done] { ++done; }));
-    release.set_value();
-  }
-  EXPECT_EQ(done, 2);
-}
-
 TEST(WorkerPool, AcceptsAgainOnceThereIsRoom) {
   WorkerPool pool({1, 0});
   for (int i = 0; i < 50; ++i) {
