@@ -179,6 +179,7 @@ class AnalyticPlanner {
 
   /// What passages tell of plans that keep the planning margin, and of all that keep the demanded clearance.
   void bound_by_passage() {
+    if (budget_.methods.exhausted()) return;
     findings_.begin("passage");
     const Budget budget = budget_.methods.part(kBoundShare);
     findings_.passages.emplace(Passages{{traveller(0), traveller(1)}, {}});

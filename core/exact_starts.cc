@@ -28,6 +28,7 @@ std::optional<Profile> uninterrupted(const System& system, const std::vector<Tim
 
 std::optional<TimedSchedule> with_exact_starts(const PreparedProblem& prepared, const Schedule& schedule,
                                                double duration, const Budget& budget) {
+  if (budget.exhausted()) return std::nullopt;
   const auto first = uninterrupted(prepared.system(0), schedule[0]);
   const auto second = uninterrupted(prepared.system(1), schedule[1]);
   if (!first || !second) return std::nullopt;

@@ -334,6 +334,7 @@ class Projection {
 
 std::optional<IntervalSet> project(const Meetings& meetings, const Profile& arm, const ProjectionRules& rules,
                                    const Budget& budget) {
+  if (budget.exhausted()) return std::nullopt;
   return Projection(meetings, arm, rules, budget).run();
 }
 
