@@ -27,7 +27,9 @@ Traffic::Traffic(const Base& base, const std::vector<Body>& bodies, const std::v
     bodies_.push_back({body.shape, reach(body.shape)});
     reach_ = std::max(reach_, bodies_.back().reach);
   }
-  for (const TrackedBody& object : objects) add(object);
+  for (const TrackedBody& object : objects) {
+    if (!budget_.exhausted()) add(object);  // as of those that are not looked at any more, nothing is told
+  }
 }
 
 /// What of a track comes within reach of the arm.
