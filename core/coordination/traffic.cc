@@ -13,6 +13,9 @@
 namespace dualarm {
 namespace {
 
+/// Rides that are set up between two looks at the budget: a fraction of a millisecond.
+constexpr std::size_t kRidesBetweenLooks = 512;
+
 bool is_closer(const Shape& first, const Shape& second, double distance) {
   const double apart = (centre(first) - centre(second)).norm() - bounding_radius(first) - bounding_radius(second);
   return apart <= distance && clearance(first, second).distance <= distance + clearance_error(first, second);
@@ -27,9 +30,7 @@ Traffic::Traffic(const Base& base, const std::vector<Body>& bodies, const std::v
     bodies_.push_back({body.shape, reach(body.shape)});
     reach_ = std::max(reach_, bodies_.back().reach);
   }
-  for (const TrackedBody& object : objects) {
-    if (!budget_.exhausted()) add(object);  // as of those that are not looked at any more, nothing is told
-  }
+  for (const TrackedBody& object : objects) add(object);
 }
 
 /// What of a track comes within reach of the arm.
@@ -44,6 +45,7 @@ void Traffic::add(const TrackedBody& object) {
   stop(poses.front().pose, {0.0, poses.front().time});
   std::vector<Ride> rides;
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
+    if (i % kRidesBetweenLooks == 0 && budget_.exhausted()) return;  // of what is not looked at nothing is told
     const Ride ride(object.body.shape, poses[i], object.track->segments()[i]);
     const Ball ball = ride.ball();
     const bool is_near = (ball.middle.head<2>() - axis).norm() - ball.radius <= near;
