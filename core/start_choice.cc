@@ -61,12 +61,8 @@ StartChoice choose_starts(const Problem& problem, const ForbiddenSet& forbidden,
   StartChoice choice;
   choice.safe_delays = delays->complement(possible);
   const auto of_first = starts_between_objects(problem, 0, clearance, first, budget);
-  if (!of_first) {
-    choice.why_not = kOutOfBudget;
-    return choice;
-  }
   const auto of_second = starts_between_objects(problem, 1, clearance, second, budget);
-  if (!of_second) {
+  if (!of_first || !of_second) {
     choice.why_not = kOutOfBudget;
     return choice;
   }

@@ -6,14 +6,12 @@
 #include <numbers>
 #include <span>
 
+#include "geometry/plane.h"
+
 namespace dualarm {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-Eigen::Vector2d turned_left(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
 /// Part of the size of a scene by which a contact may lie beyond the end of its flank or cap, or another corner nearer,
 /// and still count: more than rounding. One too many costs a test, one too few the truth.

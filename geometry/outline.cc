@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/plane.h"
+
 namespace dualarm {
 namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// How a point lies to an edge: the way from the nearest point of the edge, and whether that is inside it.
 struct Beside {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/plane.h"
+
 namespace dualarm {
 namespace {
 
@@ -12,8 +14,6 @@ constexpr double kRounding = 1e-13;
 
 /// A clockwise arm seen from below is a counterclockwise one.
 Outline seen_with(const Base& base, const Outline& outline) { return base.sense() < 0.0 ? mirrored(outline) : outline; }
-
-Eigen::Vector2d turned_left(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
 /// What a vector that turns by an angle a has along a normal, sense times: at least
 /// value + lever a - bend a^2 / 2 - |lever| |a|^3 / 6, in radians.

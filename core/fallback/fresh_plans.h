@@ -18,8 +18,7 @@ class FreshPlans {
              const PlanRules& rules, Random& random, const Budget& budget);
 
   /// Draws until `evaluation_limit` plans have been tried, one is as short as can be, or the budget is exhausted. Plans
-  /// of `longest` (s) or more are of no use.
-  /// `on_better` is told of each that is faster than all before.
+  /// of `longest` (s) or more are of no use. `on_better` is told of each that is faster than all before.
   void run(int evaluation_limit, double longest, const std::function<void(const Itinerary&)>& on_better);
 
   /// The `count` fastest that differ, the fastest first.

@@ -56,8 +56,9 @@ std::optional<Itinerary> proven_free(const ClearanceProof& proof, const Itinerar
     const double end = (1.0 + longer) * itinerary.duration();
     if (longer > 0.0) later.align(leader, end);
     if (!later.settle(end, proof.budget()) || !later.leave_by(0, max_start_delay) ||
-        !later.leave_by(1, max_start_delay))
+        !later.leave_by(1, max_start_delay)) {
       continue;
+    }
     if (proof.proves(later.tracks(), {0.0, later.duration()})) return later;
   }
   return std::nullopt;

@@ -102,24 +102,27 @@ void PlanningTask::wait_for_search(const Outcome& in_hand) {
   planner_.ticker.add(*this);
   const bool is_queued = planner_.pools.search.try_submit([this, wait] {
     if (wait->is_over.exchange(true)) return;  // the task may be gone
-    planner_.ticker.remove(*this);
-    const auto waited = Clock::now() - submitted_;
-    waited_ += waited;
-    budget_left_ -= waited;
+    budget_left_ -= end_wait();
     resume();
   });
   if (is_queued || wait->is_over.exchange(true)) return;
-  planner_.ticker.remove(*this);
+  end_wait();
   answer_in_hand();
 }
 
 void PlanningTask::tick(Ticker::Clock::time_point /*now*/) {
   if (!wait_->patience.exhausted() || wait_->is_over.exchange(true)) return;
   planner_.pools.quick.submit([this] {
-    planner_.ticker.remove(*this);
-    waited_ += Clock::now() - submitted_;
+    end_wait();
     answer_in_hand();
   });
+}
+
+PlanningTask::Clock::duration PlanningTask::end_wait() {
+  planner_.ticker.remove(*this);
+  const auto waited = Clock::now() - submitted_;
+  waited_ += waited;
+  return waited;
 }
 
 void PlanningTask::answer_in_hand() {

@@ -70,6 +70,9 @@ class PlanningTask final : private Ticker::Listener {
   void go_on(std::optional<Answer> quick);
   void wait_for_search(const Outcome& in_hand);
   void tick(Ticker::Clock::time_point now) override;
+
+  /// Whoever has ended the wait says so here. How long it was.
+  Clock::duration end_wait();
   void answer_in_hand();
   void resume();
 
