@@ -1,8 +1,8 @@
 // The states of an arc at evenly spaced times: the rows of knots.
 #include <algorithm>
-#include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <span>
 
 #include "core/phase_plane/arc_motion.h"
 #include "core/phase_plane/extremal_rate.h"
@@ -66,28 +66,20 @@ std::vector<JointState> ArcMotion::states(int count) const {
 /// States from one on, `count` steps of `step` s, many by one series; none where no series is known or reaches that
 /// far.
 std::vector<JointState> ArcMotion::along_series(const JointState& from, double step, int count) const {
-  std::vector<JointState> states = {from};
-  states.reserve(count + 1);
+  std::vector<JointState> states(static_cast<std::size_t>(count) + 1);
+  states.front() = from;
   double way_before = 0.0;
   for (int done = 0; done < count;) {
-    const auto series = MotionSeries::about(*system_, extreme_, {from.position + way_before, states.back().velocity});
+    const auto series = MotionSeries::about(*system_, extreme_, {from.position + way_before, states[done].velocity});
     if (!series) return {};
     const double reach = series->reach(std::abs(step) * (count - done));
     const int steps = std::min(count - done, static_cast<int>(reach / std::abs(step) * (1.0 + kStepRounding)));
     if (steps < 1) return {};
-    PlaneState state = {};
-    const auto add = [&](const PlaneState& next) {
-      state = next;
-      states.push_back({from.position + (way_before + state[0]), state[1]});
-    };
-    int i = 1;
-    for (; i + 3 <= steps; i += 4) {
-      for (const PlaneState& next : series->at(std::array{step * i, step * (i + 1), step * (i + 2), step * (i + 3)})) {
-        add(next);
-      }
-    }
-    for (; i <= steps; ++i) add(series->at(step * i));
-    way_before += state[0];
+    const std::span<JointState> next(&states[done + 1], static_cast<std::size_t>(steps));
+    series->follow(step, next);
+    const double way = next.back().position;
+    for (JointState& state : next) state.position = from.position + (way_before + state.position);
+    way_before += way;
     done += steps;
   }
   return states;
@@ -132,12 +124,14 @@ bool ArcMotion::may_leave_miss(const JointState& state, const JointState& end) c
 void ArcMotion::spread_miss(std::vector<JointState>& states, const JointState& end, double span) {
   const double position_miss = end.position - states.back().position;
   const double velocity_miss = (end.velocity - states.back().velocity) * span;
+  const double square = 3.0 * position_miss - velocity_miss;  // of u, which goes from 0 to 1
+  const double cube = velocity_miss - 2.0 * position_miss;
   const double part = 1.0 / static_cast<double>(states.size() - 1);
   const double per_span = 1.0 / span;
   for (std::size_t i = 1; i < states.size(); ++i) {
     const double u = static_cast<double>(i) * part;
-    states[i].position += u * u * ((3.0 - 2.0 * u) * position_miss + (u - 1.0) * velocity_miss);
-    states[i].velocity += u * (6.0 * (1.0 - u) * position_miss + (3.0 * u - 2.0) * velocity_miss) * per_span;
+    states[i].position += u * u * (square + u * cube);
+    states[i].velocity += u * (2.0 * square + 3.0 * u * cube) * per_span;
   }
   states.back() = end;
 }

@@ -146,16 +146,14 @@ class Player {
 
   std::vector<Knot> knots_along(const Profile& profile, const Arc& arc, const Arc& placed, int count) const {
     const double step = (placed.end_time - placed.start_time) / count;
-    const std::optional<Extreme> extreme = profile.extreme_on(arc);
-    std::vector<Knot> knots;
-    knots.reserve(static_cast<std::size_t>(count) + 1);
     const std::vector<JointState> states = profile.states_along(arc, count);
-    const std::vector<SingleJointArm::Drive> drives = system_.drives(extreme, states);
+    std::vector<Knot> knots(states.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
       const double time = placed.start_time + step * static_cast<double>(i);
-      knots.push_back({time, states[i].position, states[i].velocity, drives[i].acceleration, drives[i].torque});
+      knots[i] = {time, states[i].position, states[i].velocity, 0.0, 0.0};
     }
     knots.back().time = placed.end_time;
+    system_.drive(profile.extreme_on(arc), knots);
     return knots;
   }
 

@@ -16,25 +16,28 @@ constexpr Interval kEverywhere = {-kInfinity, kInfinity};
 constexpr std::size_t kMostTerms = 32;  ///< of a series
 
 /// Neighbours whose sines share one call of the library.
-constexpr std::size_t kGroup = 8;
+constexpr std::size_t kGroup = 16;
 using Group = Eigen::Array<double, static_cast<int>(kGroup), 1>;
 
-/// rad. Up to here the first terms left out below, x^11 / 11! and x^10 / 10!, are less than 3e-17.
-constexpr double kMostDifference = 0.1;
+/// rad. Up to here the first terms left out below, x^13 / 13! and x^14 / 14!, are less than 3e-18.
+constexpr double kMostDifference = 0.25;
 
-/// Sines of the positions of at most kGroup states, seen from `phase`, by the addition theorem from the middle one;
+/// Sines of the positions of at most kGroup knots, seen from `phase`, by the addition theorem from the middle one;
 /// nothing where they differ by too much.
-std::optional<Group> sines_about_middle(std::span<const JointState> states, double phase) {
-  const double middle = states[states.size() / 2].position;
+std::optional<Group> sines_about_middle(std::span<const Knot> knots, double phase) {
+  const double middle = knots[knots.size() / 2].position;
   Group x = Group::Zero();
-  for (std::size_t i = 0; i < states.size(); ++i) x[static_cast<Eigen::Index>(i)] = states[i].position - middle;
+  for (std::size_t i = 0; i < knots.size(); ++i) x[static_cast<Eigen::Index>(i)] = knots[i].position - middle;
   if (!(x.abs().maxCoeff() <= kMostDifference)) return std::nullopt;
-  const Group y = x * x;
-  const Group sine = x + x * y * (-1.0 / 6.0 + y * (1.0 / 120.0 + y * (-1.0 / 5040.0 + y * (1.0 / 362880.0))));
-  const Group cosine_less_one = y * (-0.5 + y * (1.0 / 24.0 + y * (-1.0 / 720.0 + y * (1.0 / 40320.0))));
   const double s = std::sin(middle - phase);
   const double c = std::cos(middle - phase);
-  return s + (c * sine + s * cosine_less_one);
+  const Group y = x * x;
+  const Group sine_less_x =
+      x * y * (-1.0 / 6.0 + y * (1.0 / 120.0 + y * (-1.0 / 5040.0 + y * (1.0 / 362880.0 + y * (-1.0 / 39916800.0)))));
+  const Group cosine_less_one =
+      y * (-0.5 + y * (1.0 / 24.0 +
+                       y * (-1.0 / 720.0 + y * (1.0 / 40320.0 + y * (-1.0 / 3628800.0 + y * (1.0 / 479001600.0))))));
+  return s + (c * (x + sine_less_x) + s * cosine_less_one);
 }
 
 }  // namespace
@@ -148,8 +151,16 @@ bool SingleJointArm::extremal_series(Extreme extreme, JointState from, std::span
     const double torque =
         (k == 0 ? torque_end(extreme, *constant) : 0.0) - gravity_.amplitude * directions[k][1] - friction_ * rate[k];
     rate[k + 1] = torque * per_inertia * share;
-    Eigen::Array2d sum = rate[0] * directions[k];
-    for (std::size_t j = 1; j <= k; ++j) sum += rate[j] * directions[k - j];
+    // Two sums: each addition to one waits for the one before.
+    Eigen::Array2d even = rate[0] * directions[k];
+    Eigen::Array2d odd = Eigen::Array2d::Zero();
+    std::size_t j = 1;
+    for (; j < k; j += 2) {
+      odd += rate[j] * directions[k - j];
+      even += rate[j + 1] * directions[k - j - 1];
+    }
+    if (j == k) odd += rate[j] * directions[0];
+    const Eigen::Array2d sum = even + odd;
     directions[k + 1] = {-sum[1] * share, sum[0] * share};
   }
   return true;
@@ -178,26 +189,25 @@ SingleJointArm::Drive SingleJointArm::drive(std::optional<Extreme> extreme, Join
   return {(torque - held) / inertia_, torque, span};
 }
 
-std::vector<SingleJointArm::Drive> SingleJointArm::drives(std::optional<Extreme> extreme,
-                                                          std::span<const JointState> states) const {
-  std::vector<Drive> drives;
-  drives.reserve(states.size());
+void SingleJointArm::drive(std::optional<Extreme> extreme, std::span<Knot> knots) const {
   const auto* constant = std::get_if<Interval>(&torque_);
-  const double span = constant != nullptr ? constant->length() / inertia_ : 0.0;
   const double end = constant != nullptr && extreme ? torque_end(*extreme, *constant) : 0.0;
-  while (drives.size() < states.size()) {
-    const auto group = states.subspan(drives.size(), std::min(kGroup, states.size() - drives.size()));
+  for (std::size_t first = 0; first < knots.size(); first += kGroup) {
+    const auto group = knots.subspan(first, std::min(kGroup, knots.size() - first));
     const auto sines = constant != nullptr ? sines_about_middle(group, gravity_.phase) : std::nullopt;
     for (std::size_t i = 0; i < group.size(); ++i) {
+      Knot& knot = group[i];
       if (!sines) {
-        drives.push_back(drive(extreme, group[i]));
+        const Drive alone = drive(extreme, {knot.position, knot.velocity});
+        knot.acceleration = alone.acceleration;
+        knot.torque = alone.torque;
         continue;
       }
-      const double held = gravity_.amplitude * (*sines)[static_cast<Eigen::Index>(i)] + rubbed_off(group[i].velocity);
-      drives.push_back(extreme ? Drive{(end - held) / inertia_, end, span} : Drive{0.0, held, span});
+      const double held = gravity_.amplitude * (*sines)[static_cast<Eigen::Index>(i)] + rubbed_off(knot.velocity);
+      knot.acceleration = extreme ? (end - held) / inertia_ : 0.0;
+      knot.torque = extreme ? end : held;
     }
   }
-  return drives;
 }
 
 double SingleJointArm::torque(JointState state, double acceleration) const {

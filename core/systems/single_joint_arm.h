@@ -8,6 +8,7 @@
 
 #include "core/model/arm.h"
 #include "core/model/problem.h"
+#include "core/model/trajectory.h"
 #include "core/phase_plane/system.h"
 #include "core/systems/piecewise_linear.h"
 
@@ -57,8 +58,9 @@ class SingleJointArm final : public System {
   /// With an end of the torque limit, or, where none is named, at constant velocity.
   Drive drive(std::optional<Extreme> extreme, JointState state) const;
 
-  /// The same in states that follow each other closely, as those along a motion do, to 1e-15 of gravity's torque.
-  std::vector<Drive> drives(std::optional<Extreme> extreme, std::span<const JointState> states) const;
+  /// The same at knots whose states follow each other closely, as those along a motion do, to 1e-15 of gravity's
+  /// torque: fills in their accelerations and torques.
+  void drive(std::optional<Extreme> extreme, std::span<Knot> knots) const;
 
   /// Torque (N m) the drive has to give in a state for an acceleration (rad/s2).
   double torque(JointState state, double acceleration) const;

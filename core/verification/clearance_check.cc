@@ -18,15 +18,14 @@ struct Sighting {
   Clearance clearance;
 };
 
-/// A pair during an interval of time, with what is proven about it.
+/// What is left to be looked at: a pair during an interval of time, with what is proven about it.
 struct Candidate {
   std::size_t pair = 0;
   Interval time;
-  double distance = std::numeric_limits<double>::infinity();  // in the middle; infinite while nobody has looked
-  double error = 0.0;                                         // of that distance
   double lower_bound = 0.0;
-
-  bool is_examined() const { return distance < std::numeric_limits<double>::infinity(); }
+  double error = 0.0;         // of distances of the pair
+  double distance = 0.0;      // seen in it, infinite if none was
+  bool is_untouched = false;  // nobody has looked at the pair
 
   bool operator<(const Candidate& other) const { return lower_bound > other.lower_bound; }  // lowest bound on top
 };
@@ -42,6 +41,7 @@ class ClearanceSearch {
       Candidate whole = {pair, pairs_[pair].time};
       const double swept = pairs_[pair].swept_distance;
       whole.lower_bound = swept >= demanded_ ? swept : -std::numeric_limits<double>::infinity();
+      whole.is_untouched = true;
       candidates_.push(whole);
     }
   }
@@ -52,21 +52,15 @@ class ClearanceSearch {
     while (!is_decided() && !budget.exhausted() && static_cast<std::size_t>(query_count_) < most_queries) {
       const Candidate candidate = candidates_.top();
       candidates_.pop();
-      if (!candidate.is_examined()) {
-        examine(candidate.pair, candidate.time);
-        continue;
-      }
-      const double cut = cut_of(pairs_[candidate.pair].pair, candidate.time);
-      examine(candidate.pair, {candidate.time.lower, cut});
-      examine(candidate.pair, {cut, candidate.time.upper});
+      look_at(candidate.pair, candidate.time);
     }
   }
 
   ClearanceReport report() const {
     ClearanceReport report;
-    const Candidate& lowest = candidates_.top();
-    report.collision_free = lowest.lower_bound >= demanded_;
-    report.min_clearance = report.collision_free ? lowest.lower_bound : query_count_ > 0 ? smallest_ : 0.0;
+    const double proven = candidates_.empty() ? kept_ : std::min(kept_, candidates_.top().lower_bound);
+    report.collision_free = proven >= demanded_;
+    report.min_clearance = report.collision_free ? proven : query_count_ > 0 ? smallest_ : 0.0;
     report.distance_query_count = query_count_;
     const auto closest =
         std::min_element(sightings_.begin(), sightings_.end(),
@@ -76,33 +70,58 @@ class ClearanceSearch {
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
       if (sightings_[pair].distance < demanded_) report.violations.push_back(collision(pair));
     }
-    if (report.violations.empty()) report.violations.push_back(unknown(lowest));
+    if (report.violations.empty()) report.violations.push_back(unknown(candidates_.top()));
     return report;
   }
 
  private:
-  void examine(std::size_t pair, Interval time) {
-    const DistanceOverTime found = distance_over(pairs_[pair].pair, time);
-    const double distance = found.in_the_middle.distance;
-    candidates_.push({pair, time, distance, found.error, found.lower_bound});
+  /// Keeps what a look proves to be good enough, and leaves what is before and after it.
+  void look_at(std::size_t pair, Interval time) {
+    const DistanceOverTime found(pairs_[pair].pair, time);
+    const double middle = 0.5 * (time.lower + time.upper);
+    take_sight(pair, middle, found.in_the_middle());
+    const double enough = enough_distance(found.error());
+    const Interval kept = found.keeps(enough);
+    const bool is_cut = kept.length() == 0.0;
+    const double cut = is_cut ? cut_of(pairs_[pair].pair, time) : 0.0;
+    const auto leave = [&](Interval rest, Interval kept_half, double lower_bound) {
+      if (lower_bound >= enough) {
+        kept_ = std::min(kept_, lower_bound);
+        return;
+      }
+      if (kept_half.length() > 0.0) kept_ = std::min(kept_, enough);
+      if (!is_cut && rest.length() == 0.0) return;
+      const double seen =
+          rest.contains(middle) ? found.in_the_middle().distance : std::numeric_limits<double>::infinity();
+      candidates_.push({pair, rest, lower_bound, found.error(), seen});
+    };
+    leave({time.lower, is_cut ? cut : kept.lower}, {kept.lower, middle}, found.least_before());
+    leave({is_cut ? cut : kept.upper, time.upper}, {middle, kept.upper}, found.least_after());
+  }
+
+  void take_sight(std::size_t pair, double time, const Clearance& seen) {
     ++query_count_;
-    if (distance < sightings_[pair].distance) {
-      sightings_[pair] = {distance, 0.5 * (time.lower + time.upper), found.in_the_middle};
-    }
-    if (distance < demanded_ && smallest_ >= demanded_) collision_seen_at_ = query_count_;
-    smallest_ = std::min(smallest_, distance);
+    if (seen.distance < sightings_[pair].distance) sightings_[pair] = {seen.distance, time, seen};
+    if (seen.distance < demanded_ && smallest_ >= demanded_) collision_seen_at_ = query_count_;
+    smallest_ = std::min(smallest_, seen.distance);
+  }
+
+  /// m. From here on a lower bound is good enough, for distances with an error: as close to the smallest one seen as is
+  /// told, and no collision unless one was seen.
+  double enough_distance(double error) const {
+    const double close = smallest_ - error - std::max(kClearanceResolution, kClearanceShare * (smallest_ - demanded_));
+    return smallest_ < demanded_ ? close : std::max(close, demanded_);
   }
 
   /// The lowest bound decides: it is good enough, or nothing can make it better.
   bool is_decided() const {
+    if (candidates_.empty()) return true;
     if (smallest_ < demanded_ && query_count_ >= collision_seen_at_ + kEvidenceQueries) return true;
     const Candidate& lowest = candidates_.top();
-    if (!lowest.is_examined()) return lowest.lower_bound >= smallest_;
-    const double resolution = std::max(kClearanceResolution, kClearanceShare * (smallest_ - demanded_));
-    const bool is_close = lowest.lower_bound >= smallest_ - lowest.error - resolution;
+    if (lowest.is_untouched) return lowest.lower_bound >= smallest_;
     const bool is_final =
         lowest.time.length() <= kShortestInterval || lowest.lower_bound >= lowest.distance - lowest.error;
-    return is_final || (is_close && (lowest.lower_bound >= demanded_ || smallest_ < demanded_));
+    return is_final || lowest.lower_bound >= enough_distance(lowest.error);
   }
 
   ClosestApproach approach(std::size_t pair) const {
@@ -131,14 +150,15 @@ class ClearanceSearch {
   Violation unknown(const Candidate& lowest) const {
     const BodyPair& pair = pairs_[lowest.pair].pair;
     const double middle = 0.5 * (lowest.time.lower + lowest.time.upper);
-    return {ViolationKind::kClearanceUnknown,
-            sentence("the clearance of ", pair.first->body.name, " and ", pair.second->body.name, " around ", middle,
-                     " s", afterwards(middle), " is not proven after ", query_count_, " distance queries: seen ",
-                     lowest.distance, " m, proven ", lowest.lower_bound, " m, demanded ", demanded_, " m"),
-            "",
-            middle,
-            lowest.lower_bound,
-            demanded_};
+    return {
+        ViolationKind::kClearanceUnknown,
+        sentence("the clearance of ", pair.first->body.name, " and ", pair.second->body.name, " around ", middle, " s",
+                 afterwards(middle), " is not proven after ", query_count_, " distance queries: seen ",
+                 sightings_[lowest.pair].distance, " m, proven ", lowest.lower_bound, " m, demanded ", demanded_, " m"),
+        "",
+        middle,
+        lowest.lower_bound,
+        demanded_};
   }
 
   double duration_;  ///< s
@@ -147,6 +167,7 @@ class ClearanceSearch {
   std::vector<Sighting> sightings_;
   std::priority_queue<Candidate> candidates_;
   double smallest_ = std::numeric_limits<double>::infinity();
+  double kept_ = std::numeric_limits<double>::infinity();  ///< m, lowest bound of what needs no further look
   int query_count_ = 0;
   int collision_seen_at_ = 0;
 };

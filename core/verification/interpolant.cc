@@ -203,18 +203,29 @@ Quintic Interpolant::piece(std::size_t index) const {
   return {knot(before), knot(before + 1)};
 }
 
-/// Looks from an earlier piece on, in steps twice as long each time.
-std::size_t Interpolant::piece_at(double time, std::size_t from) const {
+/// The last piece that begins by a time, or the first one. Most motions have pieces of nearly the same duration: they
+/// tell where to look first, and from there in steps twice as long each time.
+std::size_t Interpolant::piece_at(double time) const {
   const std::span<const double> starts = of_pieces(kStart);
-  std::size_t step = 1;
-  while (from + step < piece_count_ && starts[from + step] <= time) {
-    from += step;
-    step *= 2;
+  const double part = (time - starts.front()) / (times().back() - starts.front());
+  const std::size_t last = piece_count_ - 1;
+  // Written so that what is not a number leads to the first piece.
+  const std::size_t guess = !(part > 0.0) ? 0
+                            : part >= 1.0 ? last
+                                          : static_cast<std::size_t>(part * static_cast<double>(piece_count_));
+  std::size_t low = std::min(guess, last);
+  std::size_t high = low + 1;
+  for (std::size_t step = 1; low > 0 && starts[low] > time; step *= 2) {
+    high = low;
+    low -= std::min(low, step);
   }
-  const auto begin = starts.begin() + static_cast<std::ptrdiff_t>(from);
-  const auto end = starts.begin() + static_cast<std::ptrdiff_t>(std::min(from + step, piece_count_));
-  const auto after = std::upper_bound(begin, end, time);
-  return after == begin ? from : static_cast<std::size_t>(after - starts.begin()) - 1;
+  for (std::size_t step = 1; high <= last && starts[high] <= time; step *= 2) {
+    low = high;
+    high = std::min(high + step, last + 1);
+  }
+  const auto at = [&](std::size_t index) { return starts.begin() + static_cast<std::ptrdiff_t>(index); };
+  const auto after = std::upper_bound(at(low), at(high), time);
+  return after == at(low) ? low : static_cast<std::size_t>(after - starts.begin()) - 1;
 }
 
 JointState Interpolant::state(double time) const {
@@ -272,8 +283,8 @@ Interpolant::During Interpolant::during(Interval time) const {
   const double middle = 0.5 * (time.lower + time.upper);
   if (piece_count_ == 0) return {state(0, middle), 0.0, {}};
   const std::size_t first = piece_at(time.lower);
-  const std::size_t in_the_middle = piece_at(middle, first);
-  const std::size_t last = piece_at(time.upper, in_the_middle);
+  const std::size_t in_the_middle = piece_at(middle);
+  const std::size_t last = piece_at(time.upper);
   return {
       state(in_the_middle, middle),
       std::max(travel(first, in_the_middle, {time.lower, middle}), travel(in_the_middle, last, {middle, time.upper})),

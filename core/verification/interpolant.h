@@ -104,7 +104,7 @@ class Interpolant {
   void summarise();
   Knot knot(std::size_t index) const;
   std::size_t knot_before(std::size_t piece) const;
-  std::size_t piece_at(double time, std::size_t from = 0) const;
+  std::size_t piece_at(double time) const;
   JointState state(std::size_t piece, double time) const;
   double travelled(std::size_t piece, double time) const;
   double travel(std::size_t first, std::size_t last, Interval time) const;

@@ -29,16 +29,18 @@ std::optional<Violation> find_disorder(const ArmTrajectory& motion) {
   }
   for (std::size_t k = 0; k < knots.size(); ++k) {
     if (!finite(knots[k])) return disorder(motion, 0.0, sentence("knot ", k, " of ", motion.arm, " is not finite"));
-    if (k > 0 && knots[k].time < knots[k - 1].time) {
+    if (k == 0) continue;
+    const double gap = knots[k].time - knots[k - 1].time;
+    if (gap >= kShortestPiece) continue;
+    if (gap < 0.0) {
       return disorder(motion, knots[k].time,
                       sentence("time of ", motion.arm, " runs backwards at knot ", k, ": ", knots[k - 1].time,
                                " s, then ", knots[k].time, " s"));
     }
-    if (k > 0 && !share_a_time(knots[k - 1], knots[k]) && knots[k].time - knots[k - 1].time < kShortestPiece) {
+    if (!share_a_time(knots[k - 1], knots[k])) {
       return disorder(motion, knots[k].time,
-                      sentence("knots ", k - 1, " and ", k, " of ", motion.arm, " at ", knots[k].time, " s are ",
-                               knots[k].time - knots[k - 1].time, " s apart; knots share a time or are at least ",
-                               kShortestPiece, " s apart"));
+                      sentence("knots ", k - 1, " and ", k, " of ", motion.arm, " at ", knots[k].time, " s are ", gap,
+                               " s apart; knots share a time or are at least ", kShortestPiece, " s apart"));
     }
   }
   if (knots.front().time != 0.0) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <variant>
 
+#include "core/verification/pair.h"
 #include "core/verification/peak.h"
 #include "core/verification/sentence.h"
 #include "core/verification/tolerances.h"
@@ -26,10 +27,26 @@ Quantity velocity_along(const Quintic& piece, double rounding) {
           rounding};
 }
 
+/// The least and the largest of some values; neither is a number where one of them is none.
+Interval extremes_of(std::span<const double> values) {
+  Pair lowest = Pair() + values.front();
+  Pair highest = lowest;
+  Pair doubt = Pair();  // 0 while all are finite
+  for_pairs(values.size(), [&](auto number, std::size_t i) {
+    const Pair now = Pair() + load<decltype(number)>(values.data() + i);
+    lowest = lesser(lowest, now);
+    highest = greater(highest, now);
+    doubt = doubt + (now - now);
+  });
+  if (doubt[0] + doubt[1] == 0.0) return {least_of(lowest), most_of(highest)};
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+  return {all.minCoeff<Eigen::PropagateNaN>(), all.maxCoeff<Eigen::PropagateNaN>()};
+}
+
 /// The least and the largest value at knots, which use more than all between them.
 void visit_extremes(PeakSearch& search, std::span<const double> times, std::span<const double> values) {
-  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
-  for (const double value : {all.minCoeff<Eigen::PropagateNaN>(), all.maxCoeff<Eigen::PropagateNaN>()}) {
+  const Interval extremes = extremes_of(values);
+  for (const double value : {extremes.lower, extremes.upper}) {
     const auto at = std::find(values.begin(), values.end(), value);  // nowhere if it is not a number
     search.visit(at == values.end() ? times.front() : times[at - values.begin()], value);
   }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <limits>
 
 namespace dualarm {
 
@@ -38,6 +39,12 @@ Number greater(Number left, Number right) {
 template <typename Number>
 Number magnitude(Number number) {
   return greater(number, -number);
+}
+
+/// What is not a number, made infinite.
+template <typename Number>
+Number or_infinite(Number number) {
+  return number == number ? number : Number() + std::numeric_limits<double>::infinity();
 }
 
 inline double least_of(Pair pair) { return lesser(pair[0], pair[1]); }

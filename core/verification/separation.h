@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "geometry/body.h"
 
@@ -23,7 +24,37 @@ struct TurningBody {
   double farthest_way = 0.0;                           ///< m, of any of the body's points from the middle
 };
 
-/// Lower bound (m) on the distance of two convex bodies over an interval of time, by separation: for any unit vector
+/// A lower bound on a distance from the middle of an interval of time on, in one direction: after t s the least of
+/// value - rate t - curvature t^2 / 2 over its points. That has no local minimum: over a stretch of time one of its
+/// ends is the least.
+struct Fall {
+  struct Point {
+    double value = 0.0;  ///< m
+    double rate = 0.0;   ///< m/s
+  };
+  std::array<Point, 2> points;
+  double curvature = 0.0;  ///< m/s2, not negative
+
+  /// Over all of the time (s) from the middle on.
+  double least_until(double time) const;
+
+  /// Until when (s, at most `latest` >= 0) it is nowhere below a distance (m).
+  double keeps(double distance, double latest) const;
+};
+
+/// What separation proves of two bodies: in each direction of time a Fall with either of them as the carrier of the
+/// normal, each a bound of its own, and for capsules one with a normal that stands still.
+struct Separation {
+  double half_interval = 0.0;  ///< s
+  std::array<Fall, 2> before;
+  std::array<Fall, 2> after;
+  double standing = 0.0;  ///< m, over all of the interval; minus infinity for other shapes
+
+  double least_before() const;  ///< m, over the first half
+  double least_after() const;   ///< m, over the second half
+};
+
+/// Lower bounds (m) on the distance of two convex bodies over an interval of time, by separation: for any unit vector
 /// n(t), the distance is at least min n.x - max n.y over points x of the first and y of the second. `normal` is n in
 /// the middle (any unit vector; the bound is tight for the one from the nearest point of the second to that of the
 /// first), and in each half of the interval n turns with the first or with the second body, whichever proves more:
@@ -32,7 +63,7 @@ struct TurningBody {
 /// of the interval where a speed bound's falls with the interval. For two capsules n may also stand still: then each
 /// end of an axis counts with its own speed, so that links whose joints are their nearest points are proven apart at
 /// once. Theory, section 5.
-double separation_bound(const TurningBody& first, const TurningBody& second, const Eigen::Vector3d& normal,
-                        double half_interval);
+Separation separation(const TurningBody& first, const TurningBody& second, const Eigen::Vector3d& normal,
+                      double half_interval);
 
 }  // namespace dualarm

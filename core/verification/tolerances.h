@@ -58,7 +58,7 @@ inline constexpr int kMostIntervals = 1 << 13;
 inline constexpr double kHopelessShare = 1e3;
 
 /// m, and as a share of what is to spare: the proven smallest clearance is at most the larger of the two (and FCL's
-/// error) below the smallest clearance seen. Each factor of 4 costs two distance queries.
+/// error) below the smallest clearance seen.
 inline constexpr double kClearanceResolution = 1e-6;
 inline constexpr double kClearanceShare = 1e-4;
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <variant>
 
+#include "core/verification/pair.h"
 #include "core/verification/sentence.h"
 #include "core/verification/tolerances.h"
 
@@ -34,28 +35,36 @@ using Column = Eigen::Map<const Eigen::ArrayXd>;
 
 Column column(std::span<const double> numbers) { return {numbers.data(), static_cast<Eigen::Index>(numbers.size())}; }
 
-/// Infinite where a torque is not a number.
-template <typename Torques>
-auto or_infinite(const Torques& torques) {
-  return torques.isNaN().select(std::numeric_limits<double>::infinity(), torques);
+/// Where the largest of some numbers stands.
+std::size_t index_of_largest(const Eigen::ArrayXd& numbers) {
+  const double* const first = numbers.data();
+  return static_cast<std::size_t>(std::find(first, first + numbers.size(), numbers.maxCoeff()) - first);
 }
 
-/// How far (N m) the written torque is from the one that the motion needs, at each knot.
+/// How far (N m) the written torque is from the one that the motion needs, at each knot; infinite where one of them is
+/// not a number.
 Eigen::ArrayXd mismatches(const std::vector<Knot>& knots, const NeededTorque& needed) {
-  Eigen::ArrayXd written(static_cast<Eigen::Index>(knots.size()));
-  std::transform(knots.begin(), knots.end(), written.begin(), [](const Knot& knot) { return knot.torque; });
-  written = (written - column(needed.at_knots())).abs();
-  return or_infinite(written);
+  Eigen::ArrayXd off(static_cast<Eigen::Index>(knots.size()));
+  std::transform(knots.begin(), knots.end(), off.data(), [](const Knot& knot) { return knot.torque; });
+  for_pairs(knots.size(), [&off, at_knots = needed.at_knots().data()](auto number, std::size_t k) {
+    using Number = decltype(number);
+    store(off.data() + k, or_infinite(magnitude(load<Number>(off.data() + k) - load<Number>(at_knots + k))));
+  });
+  return off;
 }
 
 /// The largest residual torque (N m) of each piece.
 Eigen::ArrayXd residuals(const NeededTorque& needed, const Eigen::ArrayXd& mismatches, const Interpolant& motion) {
-  Eigen::ArrayXd residuals = or_infinite(column(needed.departures_from_chord()));
+  Eigen::ArrayXd residuals(static_cast<Eigen::Index>(motion.piece_count()));
   for (const Interpolant::Run& run : motion.runs()) {
-    const auto knot = static_cast<Eigen::Index>(run.first_knot);
-    const auto count = static_cast<Eigen::Index>(run.piece_count);
-    residuals.segment(static_cast<Eigen::Index>(run.first_piece), count) +=
-        mismatches.segment(knot, count).max(mismatches.segment(knot + 1, count));
+    const double* const off = mismatches.data() + run.first_knot;
+    const double* const departure = needed.departures_from_chord().data() + run.first_piece;
+    double* const residual = residuals.data() + run.first_piece;
+    for_pairs(run.piece_count, [=](auto number, std::size_t i) {
+      using Number = decltype(number);
+      const Number of_knots = greater(load<Number>(off + i), load<Number>(off + i + 1));
+      store(residual + i, or_infinite(load<Number>(departure + i)) + of_knots);
+    });
   }
   return residuals;
 }
@@ -72,8 +81,7 @@ double largest_departure(const JointTorque& torque, const Eigen::ArrayXd& residu
   const auto exactly = [&](Eigen::Index i) {
     return residuals[i] == 0.0 ? 0.0 : residuals[i] * departure(durations[i], torque);
   };
-  Eigen::Index worst = 0;
-  squares.maxCoeff(&worst);
+  const auto worst = static_cast<Eigen::Index>(index_of_largest(squares));
   double largest = exactly(worst);
   if (squares[worst] * most_per_square <= largest) return largest;
   for (Eigen::Index i = 0; i < squares.size(); ++i) {
@@ -90,9 +98,8 @@ struct WorstKnot {
 
 WorstKnot worst_knot(const Arm& arm, const Interpolant& motion, const Eigen::ArrayXd& mismatches) {
   if (const auto* constant = std::get_if<Interval>(&arm.torque)) {
-    Eigen::Index worst = 0;
-    const double most = mismatches.maxCoeff(&worst);
-    return {static_cast<std::size_t>(worst), most / constant->length()};
+    const std::size_t worst = index_of_largest(mismatches);
+    return {worst, mismatches[static_cast<Eigen::Index>(worst)] / constant->length()};
   }
   WorstKnot worst;
   for (std::size_t k = 0; k < motion.times().size(); ++k) {

@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <numbers>
+#include <vector>
 
+#include "core/phase_plane/extremal_rate.h"
 #include "core/systems/single_joint_arm.h"
 #include "tests/core/phase_plane/test_arms.h"
 #include "tests/support/dice.h"
@@ -34,10 +35,11 @@ void expect_the_motion(const Arm& arm, JointState from) {
     const double reach = series->reach(kMost);
     EXPECT_GT(reach, 0.01 * std::sqrt(arm.inertia / arm.gravity.amplitude));
     for (const double time : {-reach, -0.3 * reach, 0.5 * reach, reach}) {
-      const PlaneState found = series->at(time);
+      JointState found;
+      series->follow(time, {&found, 1});
       const PlaneState expected = integrated(system, extreme, from, time);
-      EXPECT_NEAR(found[0], expected[0], 2e-15 * (1.0 + std::abs(expected[0]))) << time;
-      EXPECT_NEAR(found[1], expected[1], 1e-14 * (1.0 + std::abs(expected[1]))) << time;
+      EXPECT_NEAR(found.position, expected[0], 2e-15 * (1.0 + std::abs(expected[0]))) << time;
+      EXPECT_NEAR(found.velocity, expected[1], 1e-14 * (1.0 + std::abs(expected[1]))) << time;
     }
   }
 }
@@ -53,13 +55,22 @@ TEST(MotionSeries, IsTheMotionAsFarAsItReaches) {
   }
 }
 
-TEST(MotionSeries, SaysTheSameOfSeveralTimesAtOnce) {
+/// In groups of every size, and a last one that is not full.
+TEST(MotionSeries, SaysTheSameOfSeveralStatesAtOnce) {
   const SingleJointArm system(pendulum(39.0, 29.43, 60.0));
   const auto series = MotionSeries::about(system, Extreme::kHighest, {0.3, 0.4});
   ASSERT_TRUE(series);
-  const std::array<double, 4> times = {-0.1, 0.0, 0.05, 0.2};
-  const auto states = series->at(times);
-  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(states[i], series->at(times[i]));
+  for (const double step : {-0.01, 0.01}) {
+    for (std::size_t count = 1; count <= 27; ++count) {
+      std::vector<JointState> states(count);
+      series->follow(step, states);
+      for (std::size_t i = 0; i < count; ++i) {
+        JointState alone;
+        series->follow(step * static_cast<double>(i + 1), {&alone, 1});
+        EXPECT_EQ(states[i], alone) << i << " of " << count;
+      }
+    }
+  }
 }
 
 TEST(MotionSeries, KnowsItsReachWhereMostTermsVanish) {

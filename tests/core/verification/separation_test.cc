@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/verification/tolerances.h"
@@ -96,6 +97,13 @@ double true_minimum(const Turning& first, const Turning& second, double half_int
   return least;
 }
 
+/// Over the whole interval.
+double separation_bound(const TurningBody& first, const TurningBody& second, const Eigen::Vector3d& normal,
+                        double half_interval) {
+  const Separation found = separation(first, second, normal, half_interval);
+  return std::min(found.least_before(), found.least_after());
+}
+
 /// From the nearest point of the second to that of the first, or any direction where they overlap.
 Eigen::Vector3d normal_of(const Turning& first, const Turning& second) {
   const Clearance found = clearance(first.at(0.0), second.at(0.0));
@@ -143,6 +151,51 @@ TEST(Separation, HoldsForAnyNormal) {
     expect_no_more_than_the_truth(separation_bound(first.body(half), second.body(half), normal, half), first, second,
                                   half, 20);
   }
+}
+
+/// Each Fall alone, over any part of its half: what it keeps of a distance is true, and it keeps as much as it says.
+TEST(Separation, KeepsADistanceForAsLongAsItSays) {
+  RandomTurning random(7);
+  int kept = 0;
+  for (int i = 0; i < 1000; ++i) {
+    SCOPED_TRACE(testing::Message() << "seed 7, pair " << i);
+    const Turning first = random.any(0.0, random.with_corners());
+    const Turning second = random.any(8.0, random.with_corners());
+    const double half = std::pow(10.0, random.dice.between(-3.0, -0.3));
+    const Separation found = separation(first.body(half), second.body(half), normal_of(first, second), half);
+    const double goal =
+        static_cast<double>(exact_distance(first.at(0.0), second.at(0.0))) - random.dice.between(0.0, 0.5);
+    const auto expect_kept = [&](const Fall& fall, double sign) {
+      const double until = fall.keeps(goal, half);
+      ASSERT_LE(until, half);
+      if (!(until > 0.0)) return;
+      ++kept;
+      EXPECT_GE(fall.least_until(until), goal - 1e-12);
+      if (until < half) {
+        EXPECT_LT(fall.least_until(1.001 * until), goal);
+      }
+      for (int k = 0; k <= 20; ++k) {
+        const double t = sign * until * k / 20;
+        ASSERT_GE(static_cast<double>(exact_distance(first.at(t), second.at(t))), goal - 1e-12) << t;
+      }
+    };
+    for (const Fall& fall : found.before) expect_kept(fall, -1.0);
+    for (const Fall& fall : found.after) expect_kept(fall, 1.0);
+  }
+  EXPECT_GT(kept, 500);
+}
+
+TEST(Fall, ClaimsNothingOfWhatIsNotANumber) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Fall still = {{{{2.0, 0.0}, {2.0, -1.0}}}, 0.0};
+  EXPECT_EQ(still.keeps(2.0, 5.0), 5.0);
+  EXPECT_EQ(still.keeps(2.1, 5.0), 0.0);
+  const Fall endless = {{{{2.0, -infinity}, {2.0, 0.0}}}, infinity};
+  EXPECT_EQ(endless.least_until(1.0), -infinity);
+  EXPECT_EQ(endless.keeps(1.0, 5.0), 0.0);
+  const Fall nowhere = {{{{std::nan(""), 0.0}, {2.0, 0.0}}}, 1.0};
+  EXPECT_EQ(nowhere.least_until(1.0), -infinity);
+  EXPECT_EQ(nowhere.keeps(1.0, 5.0), 0.0);
 }
 
 TEST(Separation, LosesNothingWhereLinksAreNearestAtTheirJoints) {
