@@ -1,10 +1,8 @@
 #include "server/heap_trimmer.h"
 
-#include <malloc.h>
-
 #include <chrono>
 
-#include "server/metrics/process_figures.h"
+#include "server/heap.h"
 
 namespace dualarm {
 namespace {
@@ -27,7 +25,7 @@ HeapTrimmer::~HeapTrimmer() {
 void HeapTrimmer::run() {
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, kPeriod, [this] { return stopping_; })) {
-    if (free_heap_bytes() > kWorthIt) malloc_trim(0);
+    if (free_heap_bytes() > kWorthIt) release_free_heap();
   }
 }
 
