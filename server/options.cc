@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cstdlib>
 #include <iostream>
+#include <sstream>
+#include <string>
 #include <thread>
 
 #include "server/build_information.h"
@@ -104,18 +106,31 @@ void name_environment(CLI::App& app) {
   }
 }
 
+/// Bytes of a configuration file that are read at most: all options with their help are some kilobytes.
+constexpr std::size_t kMostConfiguration = 1 << 20;
+
 // CLI11 lets the file win over the environment: what the environment gives is left out of the file.
 class FileBelowEnvironment final : public CLI::ConfigTOML {
  public:
   explicit FileBelowEnvironment(const CLI::App& app) : app_(app) {}
 
   std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
-    std::vector<CLI::ConfigItem> given = CLI::ConfigTOML::from_config(input);
+    std::istringstream text(bounded_text(input));
+    std::vector<CLI::ConfigItem> given = CLI::ConfigTOML::from_config(text);
     std::erase_if(given, [this](const CLI::ConfigItem& item) { return is_in_environment(item); });
     return given;
   }
 
  private:
+  /// A device may have no end.
+  static std::string bounded_text(std::istream& input) {
+    std::string text(kMostConfiguration, '\0');
+    input.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!input.eof()) throw CLI::FileError("the file given by --config has 1 MiB or more: name a configuration file");
+    text.resize(static_cast<std::size_t>(input.gcount()));
+    return text;
+  }
+
   bool is_in_environment(const CLI::ConfigItem& item) const {
     const CLI::Option* option = app_.get_option_no_throw("--" + item.name);
     const char* value = option == nullptr ? nullptr : std::getenv(option->get_envname().c_str());

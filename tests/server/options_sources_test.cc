@@ -60,6 +60,7 @@ TEST_F(OptionSources, AFlagWinsOverTheEnvironmentAndThatOverTheFile) {
 
 TEST_F(OptionSources, AFileThatIsMissingOrWrongIsRefused) {
   EXPECT_EQ(std::get<ExitStatus>(read({"--config", "/no/such/file"})).value, kUsageError);
+  EXPECT_EQ(std::get<ExitStatus>(read({"--config", "/dev/zero"})).value, kUsageError) << "it has no end";
   setenv("DUALARM_CONFIG", "/no/such/file", 1);
   EXPECT_EQ(std::get<ExitStatus>(read({})).value, kUsageError);
   unsetenv("DUALARM_CONFIG");
