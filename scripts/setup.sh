@@ -8,7 +8,7 @@ packages=(
   build-essential cmake ninja-build ccache git ca-certificates
   libeigen3-dev libboost-dev libfcl-dev libccd-dev libompl-dev
   libgrpc++-dev libgrpc-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc
-  libcli11-dev libspdlog-dev libfmt-dev libssl-dev openssl prometheus-cpp-dev libgoogle-perftools-dev
+  libcli11-dev libspdlog-dev libfmt-dev libssl-dev openssl prometheus-cpp-dev
   libgtest-dev libgmock-dev libbenchmark-dev libnlopt-cxx-dev
 )
 

@@ -1,8 +1,10 @@
 #include "server/heap_trimmer.h"
 
+#include <malloc.h>
+
 #include <chrono>
 
-#include "server/heap.h"
+#include "server/metrics/process_figures.h"
 
 namespace dualarm {
 namespace {
@@ -25,7 +27,7 @@ HeapTrimmer::~HeapTrimmer() {
 void HeapTrimmer::run() {
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, kPeriod, [this] { return stopping_; })) {
-    if (free_heap_bytes() > kWorthIt) release_free_heap();
+    if (free_heap_bytes() > kWorthIt) malloc_trim(0);
   }
 }
 

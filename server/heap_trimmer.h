@@ -7,8 +7,8 @@
 namespace dualarm {
 
 /// Gives memory back to the system every few seconds, for as long as it lives. Searches and large messages leave holes
-/// in the heap and its caches for each thread; the allocator keeps them, so that resident memory would creep towards
-/// the sum of what each thread needed at its worst moment.
+/// in the heaps of many threads; the C library keeps them, so that resident memory would creep towards the sum of what
+/// each thread needed at its worst moment.
 class HeapTrimmer {
  public:
   HeapTrimmer();

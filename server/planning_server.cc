@@ -18,7 +18,6 @@
 #include "server/configuration_check.h"
 #include "server/connections/accept.h"
 #include "server/connections/hang_up.h"
-#include "server/heap.h"
 #include "server/listen_address.h"
 #include "server/logging/logs.h"
 #include "server/metrics/process_figures.h"

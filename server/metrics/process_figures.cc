@@ -1,5 +1,6 @@
 #include "server/metrics/process_figures.h"
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -16,6 +17,13 @@ double resident_memory_bytes() {
   file >> all_pages >> resident_pages;
   return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
+
+double used_heap_bytes() {
+  const struct mallinfo2 heap = mallinfo2();
+  return static_cast<double>(heap.uordblks + heap.hblkhd);
+}
+
+double free_heap_bytes() { return static_cast<double>(mallinfo2().fordblks); }
 
 double open_file_count() {
   std::error_code error;
