@@ -19,8 +19,10 @@ namespace dualarm {
 namespace {
 
 /// Gap of an analytic plan above which the search goes on from it, the evaluations that it may take then, and the part
-/// of the time left. docs/performance.md has what they buy.
+/// of the time left. A plan with a wide gap is no start: it would hold back what goes another way, so the search begins as
+/// if there were none.
 constexpr double kWorthSearching = 0.01;
+constexpr double kWideGap = 0.05;
 constexpr int kFurtherEvaluations = 4000;
 constexpr double kFurtherShare = 0.5;
 
@@ -76,8 +78,10 @@ class SearchPlanner {
     rules.clearance = prepared_.clearance();
     rules.memory_limit = prepared_.problem().options.search_memory;
     rules.lower_bound = least_duration();
-    rules.known = findings_.analytic;
-    if (rules.known) rules.evaluation_limit = kFurtherEvaluations;
+    if (findings_.analytic && findings_.analytic->duration <= (1.0 + kWideGap) * least_duration()) {
+      rules.known = findings_.analytic;
+      rules.evaluation_limit = kFurtherEvaluations;
+    }
     rules.on_incumbent = [this](const Schedule& schedule, double duration) { take(schedule, duration); };
     rules.on_status = [this](int evaluations) {
       findings_.statistics.fallback_evaluation_count = evaluations;
@@ -85,7 +89,7 @@ class SearchPlanner {
     };
     const auto start = Budget::Clock::now();
     const Systems systems = {&systems_[0], &systems_[1]};
-    const Budget budget = budget_.methods.part(rules.known ? kFurtherShare : 1.0 - kTurnsShare);
+    const Budget budget = budget_.methods.part(findings_.analytic ? kFurtherShare : 1.0 - kTurnsShare);
     const SearchResult result = search_state_time(prepared_.problem(), systems, rules, budget);
     Statistics& statistics = findings_.statistics;
     statistics.fallback_seconds = std::chrono::duration<double>(Budget::Clock::now() - start).count();
@@ -140,6 +144,7 @@ class SearchPlanner {
   /// What is proven at once for those who watch is proven at the end for the others: the answer is the same. The first
   /// is proven in any case, so that a search that ends late has a plan to fall back on.
   void take(const Schedule& schedule, double duration) {
+    if (!(duration < known_duration())) return;
     const bool is_first = incumbents_.empty() && !findings_.analytic;
     incumbents_.push_back({schedule, duration});
     if (is_first || findings_.are_plans_awaited()) incumbents_.back().plan = proven(incumbents_.back());

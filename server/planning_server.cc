@@ -90,7 +90,7 @@ const ServerOptions& checked(const ServerOptions& options) {
 
 void watch(Metrics& metrics, const WorkerPools& pools) {
   const std::map<std::string, const WorkerPool*> named = {
-      {"quick", &pools.quick}, {"search", &pools.search}, {"drawings", &pools.drawings}};
+      {"quick", &pools.quick}, {"slow", &pools.slow}, {"search", &pools.search}, {"drawings", &pools.drawings}};
   for (const auto& [name, pool] : named) {
     metrics.watch("dualarm_pool_waiting", "Tasks that wait for a thread", {{"pool", name}},
                   [watched = pool] { return static_cast<double>(watched->waiting()); });

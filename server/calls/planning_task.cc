@@ -16,6 +16,9 @@ namespace {
 /// The part of what is left of the budget for which a plan in hand waits for its search: one in so many.
 constexpr int kShareOfPatience = 2;
 
+/// Processor time for which a worker for short plans tries one. Most take a tenth of that.
+constexpr std::chrono::milliseconds kTrialOfWorker{5};
+
 std::chrono::nanoseconds work_of_this_thread() {
   timespec time = {};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -50,23 +53,20 @@ PlanningTask::PlanningTask(const Planner& planner, const Caller& caller, const w
       observer_(std::move(observer)) {}
 
 void PlanningTask::start() {
+  // A trial would tell those who watch of the same plans again.
+  if (observer_.on_status || observer_.on_incumbent) return start_slowly();
   if (!submit(planner_.pools.quick, &PlanningTask::begin)) finish({overloaded(), "queue full"});
 }
 
 void PlanningTask::start_here() {
-  if (planner_.trial == std::chrono::nanoseconds::zero() || planner_.pools.quick.waiting() > 0) return start();
-  std::optional<Answer> answer;
-  {
-    const Place place = planner_.trials.take();
-    if (!place) return start();
-    trial_ = {Clock::now() + planner_.trial, work_of_this_thread() + planner_.trial};
-    answer = answer_of(caller_.rpc(), request_, [this] { return plan_quickly(); });
-  }
-  const bool is_over = trial_->is_over;
-  if (!is_over) return go_on(std::move(answer));
-  steps_.reset();
-  trial_.reset();
-  start();
+  if (planner_.trial == std::chrono::nanoseconds::zero()) return start();
+  const Place place = planner_.trials.take();
+  if (!place) return start();
+  if (!go_on_within(planner_.trial)) start_slowly();
+}
+
+void PlanningTask::start_slowly() {
+  if (!submit(planner_.pools.slow, &PlanningTask::begin_slowly)) finish({overloaded(), "queue full"});
 }
 
 bool PlanningTask::submit(WorkerPool& pool, void (PlanningTask::*step)()) {
@@ -81,7 +81,23 @@ bool PlanningTask::submit(WorkerPool& pool, void (PlanningTask::*step)()) {
 }
 
 void PlanningTask::begin() {
+  if (!go_on_within(kTrialOfWorker)) start_slowly();
+}
+
+void PlanningTask::begin_slowly() {
   go_on(answer_of(caller_.rpc(), request_, [this] { return plan_quickly(); }));
+}
+
+bool PlanningTask::go_on_within(std::chrono::nanoseconds work) {
+  trial_ = {Clock::now() + work, work_of_this_thread() + work};
+  std::optional<Answer> answer = answer_of(caller_.rpc(), request_, [this] { return plan_quickly(); });
+  if (!trial_->is_over) {
+    go_on(std::move(answer));
+    return true;
+  }
+  steps_.reset();
+  trial_.reset();
+  return false;
 }
 
 // Once it is handed to the search, the search may have come and gone: nothing of this is touched then.

@@ -34,8 +34,9 @@ struct Planner {
 enum class WhenFull { kRefuse, kWait };
 
 /// One request of PlanMotion on its way to the answer, the same for every kind of call: parsed and planned by the quick
-/// methods on one pool; what they leave to the search goes on to another, with what is left of its budget. Waiting
-/// takes nothing from the budget.
+/// methods on one pool; where these take long they begin anew on another, so that nobody's short plan waits for a long
+/// one; what they leave to the search goes on to a third, with what is left of its budget. Waiting takes nothing from the
+/// budget. The answer is the same wherever it is made: what a trial was kept from looking at, it does not answer.
 class PlanningTask final : private Ticker::Listener {
  public:
   /// Called once, as the task's last deed, on a worker or on the thread that starts the task: it may delete the task.
@@ -49,8 +50,7 @@ class PlanningTask final : private Ticker::Listener {
   void start();
 
   /// Tries it on this thread, which is gRPC's, and hands it to the pools, from its beginning, only where that is not
-  /// enough time: waking a worker takes about as long as a plan. The answer is the same wherever it is made: what a
-  /// trial was kept from looking at, it does not answer.
+  /// enough time: waking a worker takes about as long as a plan.
   void start_here();
 
  private:
@@ -67,6 +67,12 @@ class PlanningTask final : private Ticker::Listener {
   /// Hands it to the pool; false if the pool is full. The task may be gone when this returns true.
   bool submit(WorkerPool& pool, void (PlanningTask::*step)());
   void begin();
+  void start_slowly();
+  void begin_slowly();
+
+  /// Plans by the quick methods in so much processor time, and goes on. False, and nothing is left of it, if that is not
+  /// enough; else the task may be gone.
+  bool go_on_within(std::chrono::nanoseconds work);
   void go_on(std::optional<Answer> quick);
   void wait_for_search(const Outcome& in_hand);
   void tick(Ticker::Clock::time_point now) override;

@@ -12,7 +12,8 @@ struct WorkerPools {
 
   WorkerPool search;    ///< seconds: what only the search can plan
   WorkerPool drawings;  ///< regions and portraits: milliseconds as a rule, seconds where a fine one is asked for
-  WorkerPool quick;     ///< milliseconds: analytic plans, verification; last, because it hands over to the search
+  WorkerPool slow;  ///< tens of milliseconds: analytic plans that a trial was too short for, and plans that are watched
+  WorkerPool quick;  ///< milliseconds: analytic plans, verification; last, because it hands over to the others
 };
 
 }  // namespace dualarm

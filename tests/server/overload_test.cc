@@ -72,6 +72,27 @@ class Searches {
   std::atomic<bool> is_released_ = false;
 };
 
+/// Plans with kNeedsSearch take a thread's whole time by quick methods until they are released; others are quick.
+class SlowPlans {
+ public:
+  PlanningFunctions functions() {
+    return functions_with(quick_planning([this](const Problem& problem, const Budget& budget, const Observer&) {
+      if (problem.options.seed != kNeedsSearch) return undecided("quick");
+      ++begun_;
+      while (!is_released_ && !budget.exhausted()) std::this_thread::yield();
+      return undecided(budget.exhausted() ? "budget spent" : "slow");
+    }));
+  }
+  void wait_for_begun(int begun) const {
+    while (begun_ < begun) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  void release() { is_released_ = true; }
+
+ private:
+  std::atomic<int> begun_ = 0;
+  std::atomic<bool> is_released_ = false;
+};
+
 ServerOptions one_search_at_a_time(int queue) {
   ServerOptions options = patient_options();
   options.worker_threads = 1;
@@ -93,6 +114,24 @@ TEST(Overload, ASearchTooManyIsRefusedAtOnceWithARetryDelay) {
   searches.release();
   ASSERT_TRUE(running.status.get().ok());
   EXPECT_EQ(running.response.undecided().explanation(), "searched");
+}
+
+TEST(Overload, AShortPlanDoesNotWaitForSlowOnes) {
+  SlowPlans plans;
+  ServerOptions options = patient_options();
+  options.worker_threads = 1;
+  const TestServer server(plans.functions(), options);
+  std::vector<std::unique_ptr<Call>> slow;
+  for (int i = 0; i < 8; ++i) slow.push_back(std::make_unique<Call>(server, request_with_seed(kNeedsSearch)));
+  plans.wait_for_begun(8);
+  // Without an end of the slow ones in sight.
+  EXPECT_TRUE(plan_motion(server, request_with_seed(0)).ok());
+  for (const auto& call : slow) EXPECT_EQ(call->status.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+  plans.release();
+  for (const auto& call : slow) {
+    ASSERT_TRUE(call->status.get().ok());
+    EXPECT_EQ(call->response.undecided().explanation(), "slow");
+  }
 }
 
 /// A plan of 2 s is in hand at once; searches find one of 1 s, the first of them only when it is released.
