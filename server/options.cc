@@ -5,9 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <thread>
 
@@ -17,6 +18,26 @@
 
 namespace dualarm {
 namespace {
+
+/// CLI::Range, to which what is no number lies inside.
+CLI::Validator range(double lower, double upper) {
+  const CLI::Range inside(lower, upper);
+  const auto complain = [inside](std::string& text) {
+    double value = 0.0;
+    if (CLI::detail::lexical_cast(text, value) && std::isnan(value))
+      return "Value " + text + " is no number: give one " + inside.get_description();
+    return inside(text);
+  };
+  return {complain, inside.get_description()};
+}
+
+/// A pipe would keep the server waiting for somebody to write into it, and a device may have no end.
+std::string complaint_about_configuration(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return "";
+  return path + " is no regular file: name a TOML file";
+}
 
 void add_request_limits(CLI::App& app, RequestLimits& limits) {
   const auto add = [&app](const char* flag, int& limit, const char* what) {
@@ -41,7 +62,7 @@ void add_options(CLI::App& app, ServerOptions& options) {
       ->check(CLI::Range(0, 1'000'000));
   app.add_option("--inline-milliseconds", options.inline_milliseconds,
                  "Processor time for which gRPC's own thread may try a plan before a worker takes it over: 0 none")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(range(0.0, 100.0));
   app.add_option("--search-threads", options.search_threads, "Searches at once")->check(CLI::Range(1, 1024));
   app.add_option("--search-queue", options.search_queue, "Requests that may wait for a search")
       ->check(CLI::Range(0, 1'000'000));
@@ -56,10 +77,10 @@ void add_options(CLI::App& app, ServerOptions& options) {
       ->check(CLI::Range(1, 65536));
   add_request_limits(app, options.request);
   app.add_option("--planning-budget", options.planning_budget, "Longest computation of one request in seconds")
-      ->check(CLI::Range(1e-3, 1e6));
+      ->check(range(1e-3, 1e6));
   app.add_option("--drain-seconds", options.drain_seconds,
                  "What running calls get to finish after SIGTERM or SIGINT, in seconds")
-      ->check(CLI::Range(0.0, 3600.0));
+      ->check(range(0.0, 3600.0));
   app.add_option("--log-level", options.log_level, "How much is logged to stderr")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "critical", "off"}));
 }
@@ -71,7 +92,7 @@ std::string complaint_about_metrics_address(const std::string& listen) {
 void add_operations_options(CLI::App& app, ServerOptions& options) {
   app.add_option("--drain-notice", options.drain_notice,
                  "How long the server still serves after SIGTERM while health says NOT_SERVING, in seconds")
-      ->check(CLI::Range(0.0, 3600.0));
+      ->check(range(0.0, 3600.0));
   app.add_option("--log-format", options.log_format, "How a line of the log looks")
       ->check(CLI::IsMember({"text", "json"}));
   app.add_option("--metrics-listen", options.metrics_listen,
@@ -106,31 +127,18 @@ void name_environment(CLI::App& app) {
   }
 }
 
-/// Bytes of a configuration file that are read at most: all options with their help are some kilobytes.
-constexpr std::size_t kMostConfiguration = 1 << 20;
-
 // CLI11 lets the file win over the environment: what the environment gives is left out of the file.
 class FileBelowEnvironment final : public CLI::ConfigTOML {
  public:
   explicit FileBelowEnvironment(const CLI::App& app) : app_(app) {}
 
   std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
-    std::istringstream text(bounded_text(input));
-    std::vector<CLI::ConfigItem> given = CLI::ConfigTOML::from_config(text);
+    std::vector<CLI::ConfigItem> given = CLI::ConfigTOML::from_config(input);
     std::erase_if(given, [this](const CLI::ConfigItem& item) { return is_in_environment(item); });
     return given;
   }
 
  private:
-  /// A device may have no end.
-  static std::string bounded_text(std::istream& input) {
-    std::string text(kMostConfiguration, '\0');
-    input.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!input.eof()) throw CLI::FileError("the file given by --config has 1 MiB or more: name a configuration file");
-    text.resize(static_cast<std::size_t>(input.gcount()));
-    return text;
-  }
-
   bool is_in_environment(const CLI::ConfigItem& item) const {
     const CLI::Option* option = app_.get_option_no_throw("--" + item.name);
     const char* value = option == nullptr ? nullptr : std::getenv(option->get_envname().c_str());
@@ -145,6 +153,7 @@ void add_configuration_file(CLI::App& app, ServerOptions& options) {
   const std::string from_environment = file == nullptr ? "" : file;
   app.set_config("--config", from_environment, "TOML file with any of these options: listen = \"127.0.0.1:50051\"",
                  !from_environment.empty())
+      ->check(CLI::Validator(complaint_about_configuration, ""))
       ->envname("DUALARM_CONFIG");
   app.config_formatter(std::make_shared<FileBelowEnvironment>(app));
   app.allow_config_extras(CLI::config_extras_mode::error);
@@ -228,6 +237,10 @@ std::variant<ServerOptions, ExitStatus> read_options(int argc, const char* const
   add_all(app, options);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ConfigError& error) {
+    std::cerr << "the file given by --config: " << error.what()
+              << "\nIts keys are options without their dashes, such as listen = \"127.0.0.1:50051\"; see --help.\n";
+    return ExitStatus{kUsageError};
   } catch (const CLI::ParseError& error) {
     return ExitStatus{app.exit(error) == 0 ? 0 : kUsageError};
   }

@@ -1,5 +1,6 @@
 #include "server/logging/logs.h"
 
+#include <google/protobuf/stubs/logging.h>
 #include <google/protobuf/util/json_util.h>
 #include <grpc/support/log.h>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -26,6 +27,13 @@ void log_for_grpc(gpr_log_func_args* line) {
   spdlog::log(level, "grpc: {}", line->message);
 }
 
+// Protobuf reports text that is not UTF-8 as an error of its own; whoever sent it is told, and it would fill the log.
+void log_for_protobuf(google::protobuf::LogLevel level, const char* /*file*/, int /*line*/,
+                      const std::string& message) {
+  spdlog::log(level == google::protobuf::LOGLEVEL_FATAL ? spdlog::level::critical : spdlog::level::debug,
+              "protobuf: {}", message);
+}
+
 // One for the process, as spdlog's default logger is; written before the server's threads begin.
 std::unique_ptr<ReplayFolder>& replay_folder() {
   static std::unique_ptr<ReplayFolder> folder;
@@ -42,6 +50,7 @@ void start_logs(const std::string& level, bool json) {
   logger->flush_on(spdlog::level::info);
   spdlog::set_default_logger(logger);
   gpr_set_log_function(log_for_grpc);
+  google::protobuf::SetLogHandler(log_for_protobuf);
 }
 
 bool logs_details() { return spdlog::should_log(spdlog::level::debug); }

@@ -12,8 +12,8 @@ namespace dualarm {
 namespace {
 
 constexpr char kLoopback[] = "127.0.0.1:";
-constexpr char kThreads[] = "2";              // one answers while another waits for a slow reader
-constexpr char kRequestTimeoutMs[] = "5000";  // then a silent connection gives its thread back
+constexpr char kThreads[] = "16";             // one answers while others wait for slow readers and half requests
+constexpr char kRequestTimeoutMs[] = "1000";  // then a silent connection gives its thread back
 
 }  // namespace
 

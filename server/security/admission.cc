@@ -1,5 +1,7 @@
 #include "server/security/admission.h"
 
+#include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "server/errors.h"
@@ -7,7 +9,15 @@
 namespace dualarm {
 namespace {
 
-constexpr std::string_view kScheme = "Bearer ";
+constexpr std::string_view kScheme = "bearer ";
+
+/// The scheme's name in any case (RFC 9110, 11.1).
+bool names_scheme(std::string_view authorization) {
+  const auto same = [](char left, char right) { return std::tolower(static_cast<unsigned char>(left)) == right; };
+  return authorization.size() >= kScheme.size() &&
+         std::equal(kScheme.begin(), kScheme.end(), authorization.begin(),
+                    [&](char wanted, char given) { return same(given, wanted); });
+}
 
 }  // namespace
 
@@ -24,7 +34,7 @@ Admission::Entrance Admission::enter(const void* call, std::string_view authoriz
     tokens = tokens_;
   }
   if (tokens == nullptr) return {};
-  const bool bearer = authorization.starts_with(kScheme);
+  const bool bearer = names_scheme(authorization);
   const TokenTable::Entry* entry = bearer ? tokens->find(authorization.substr(kScheme.size())) : nullptr;
   Entrance entrance = {
       entry != nullptr ? grpc::Status::OK : unauthenticated(bearer ? "TOKEN_UNKNOWN" : "TOKEN_MISSING"),

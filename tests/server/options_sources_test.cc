@@ -1,8 +1,10 @@
 // Where options come from: flags, environment, file; and that the documents know all of them.
 #include <gmock/gmock.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 
 #include <cctype>
+#include <filesystem>
 #include <sstream>
 #include <vector>
 
@@ -61,6 +63,11 @@ TEST_F(OptionSources, AFlagWinsOverTheEnvironmentAndThatOverTheFile) {
 TEST_F(OptionSources, AFileThatIsMissingOrWrongIsRefused) {
   EXPECT_EQ(std::get<ExitStatus>(read({"--config", "/no/such/file"})).value, kUsageError);
   EXPECT_EQ(std::get<ExitStatus>(read({"--config", "/dev/zero"})).value, kUsageError) << "it has no end";
+  const std::string pipe = file("");
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(std::get<ExitStatus>(read({"--config", pipe})).value, kUsageError) << "nobody writes into it";
+  std::filesystem::remove(pipe);
   setenv("DUALARM_CONFIG", "/no/such/file", 1);
   EXPECT_EQ(std::get<ExitStatus>(read({})).value, kUsageError);
   unsetenv("DUALARM_CONFIG");

@@ -46,6 +46,8 @@ TEST(ReadOptions, RefusesWhatMakesNoSense) {
   for (const auto& arguments : std::vector<std::vector<const char*>>{{"--worker-threads", "0"},
                                                                      {"--max-message-mib", "four"},
                                                                      {"--planning-budget", "-1"},
+                                                                     {"--planning-budget", "nan"},
+                                                                     {"--drain-seconds", "-nan"},
                                                                      {"--log-level", "loud"},
                                                                      {"--listen", "127.0.0.1:99999"},
                                                                      {"--port", "1"}}) {

@@ -46,6 +46,8 @@ TEST(Admission, AsksForATokenThatItKnows) {
   EXPECT_TRUE(entrance.status.ok());
   EXPECT_EQ(entrance.caller, "a");
   EXPECT_TRUE(admission.status_of(&call).ok());
+  admission.leave(&call);
+  EXPECT_TRUE(admission.enter(&call, "bEARER aaaaaaaaaaaaaaaa").status.ok()) << "names of schemes have no case";
 }
 
 TEST(Admission, LimitsCallsAtOnceOfEachTokenAlone) {
