@@ -1,5 +1,6 @@
 #include "core/verification/arc_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -67,8 +68,18 @@ class ArcCheck {
  private:
   bool keeps_its_kind(const Arc& arc) const {
     if (arc.kind == ArcKind::kHold) return motion_.travel({arc.start_time, arc.end_time}) <= kStateTolerance;
-    if (arc.kind == ArcKind::kCruise) return within(arc.start.velocity, arc.end.velocity, kStateTolerance);
+    if (arc.kind == ArcKind::kCruise) return keeps_its_velocity(arc);
     return true;
+  }
+
+  bool keeps_its_velocity(const Arc& arc) const {
+    const auto first = std::lower_bound(trajectory_.knots.begin(), trajectory_.knots.end(), arc.start_time,
+                                        [](const Knot& knot, double time) { return knot.time < time; });
+    const auto end = std::upper_bound(first, trajectory_.knots.end(), arc.end_time,
+                                      [](double time, const Knot& knot) { return time < knot.time; });
+    return within(arc.end.velocity, arc.start.velocity, kStateTolerance) &&
+           std::all_of(first, end,
+                       [&](const Knot& knot) { return within(knot.velocity, arc.start.velocity, kStateTolerance); });
   }
 
   Violation violation(double time, const std::string& what) const {

@@ -114,6 +114,12 @@ const std::vector<Damage>& damages() {
       {"AnArcIsNotANumber", ViolationKind::kArc,
        [](Plan& p) { p.trajectory[0].arcs[1].end_time = std::numeric_limits<double>::quiet_NaN(); }},
       {"AnArcClaimsToHold", ViolationKind::kArc, [](Plan& p) { p.trajectory[0].arcs[0].kind = ArcKind::kHold; }},
+      {"AWholeMotionClaimsToCruise", ViolationKind::kArc,
+       [](Plan& p) {
+         auto& arcs = p.trajectory[0].arcs;
+         arcs = {
+             {ArcKind::kCruise, arcs.front().start_time, arcs.back().end_time, arcs.front().start, arcs.back().end}};
+       }},
       {"AnArcClaimsToCruise", ViolationKind::kArc, [](Plan& p) { p.trajectory[0].arcs[0].kind = ArcKind::kCruise; }},
       {"TheStartTimeIsLaterThanTheMotion", ViolationKind::kArc, [](Plan& p) { p.trajectory[1].start_time += 0.01; }},
       {"TheArmMovesBeforeItsStartTime", ViolationKind::kArc,
