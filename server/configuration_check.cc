@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "server/listen_address.h"
 #include "server/logging/replay_folder.h"
+#include "server/metrics/metrics_endpoint.h"
 #include "server/security/security.h"
 
 namespace dualarm {
@@ -26,6 +28,19 @@ std::vector<std::string> about_exposure(const ServerOptions& options) {
                   options.listen)};
 }
 
+std::string complaint_about_port_file(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  std::error_code error;
+  if (std::filesystem::is_directory(folder, error)) return "";
+  return fmt::format("--port-file {} would be in a folder that does not exist: make {}", path, folder.string());
+}
+
+/// Port 0 is another one each time.
+bool share_an_address(const ServerOptions& options) {
+  return !options.metrics_listen.empty() && !options.listen.ends_with(":0") &&
+         metrics_address(options.metrics_listen) == options.listen;
+}
+
 }  // namespace
 
 std::vector<std::string> complaints_about(const ServerOptions& options) {
@@ -44,6 +59,14 @@ std::vector<std::string> complaints_about(const ServerOptions& options) {
   if (!options.replay_dir.empty()) {
     const std::string complaint = complaint_about_folder(options.replay_dir);
     if (!complaint.empty()) complaints.push_back(complaint);
+  }
+  if (!options.port_file.empty()) {
+    const std::string complaint = complaint_about_port_file(options.port_file);
+    if (!complaint.empty()) complaints.push_back(complaint);
+  }
+  if (share_an_address(options)) {
+    complaints.push_back(
+        fmt::format("--listen and --metrics-listen are both {}: give one of them another port", options.listen));
   }
   return complaints;
 }

@@ -44,6 +44,19 @@ TEST_F(ConfigurationCheck, FindsNothingWrongWithDefaultsOrGoodFiles) {
   EXPECT_FALSE(std::filesystem::exists(path("replay")));
 }
 
+TEST_F(ConfigurationCheck, RefusesAPortFileWithoutAFolderAndOneAddressForTwo) {
+  ServerOptions options;
+  options.port_file = path("no/such/folder/port");
+  EXPECT_THAT(complaints_about(options), ElementsAre(HasSubstr("--port-file")));
+  options.port_file = path("port");
+  EXPECT_THAT(complaints_about(options), IsEmpty());
+  options.listen = "127.0.0.1:9464";
+  options.metrics_listen = "9464";
+  EXPECT_THAT(complaints_about(options), ElementsAre(HasSubstr("--metrics-listen")));
+  options.metrics_listen = "127.0.0.1:9465";
+  EXPECT_THAT(complaints_about(options), IsEmpty());
+}
+
 TEST_F(ConfigurationCheck, RefusesPlaintextAndTokensThatOthersCouldRead) {
   ServerOptions options;
   options.listen = "0.0.0.0:0";
