@@ -57,7 +57,7 @@ BatchReactor* BatchCall::start(const Setting& setting, const grpc::CallbackServe
   auto* call = new BatchCall(setting, context);  // deleted by OnDone
   if (call->place_) {
     setting.ticker.add(*call);
-    call->go_on();
+    call->go_on(std::unique_lock(call->mutex_));
   } else {
     const Answer refused = {too_many_streams(), "too many streams"};
     call->caller_.log(refused);
@@ -76,17 +76,15 @@ void BatchCall::OnDone() {
 
 // The client may be silent for ever: nothing else tells the call that the server drains.
 void BatchCall::tick(Ticker::Clock::time_point /*now*/) {
-  if (setting_.drains) go_on();
+  if (setting_.drains) go_on(std::unique_lock(mutex_));
 }
 
 void BatchCall::OnReadDone(bool ok) {
   if (ok) take_up();
-  {
-    const std::lock_guard lock(mutex_);
-    is_reading_ = false;
-    is_read_to_the_end_ = !ok;
-  }
-  go_on();
+  std::unique_lock lock(mutex_);
+  is_reading_ = false;
+  is_read_to_the_end_ = !ok;
+  go_on(std::move(lock));
 }
 
 void BatchCall::take_up() {
@@ -110,38 +108,34 @@ void BatchCall::take_up() {
 }
 
 void BatchCall::send(wire::PlanMotionBatchResponse response, const Answer& answer) {
-  {
-    const std::lock_guard lock(mutex_);
-    ++answered_count_;
-    error_count_ += answer.status.ok() ? 0 : 1;
-    waited_ += answer.waited;
-    if (is_broken_) {
-      --in_flight_;
-    } else {
-      unsent_.push_back(std::move(response));
-    }
+  std::unique_lock lock(mutex_);
+  ++answered_count_;
+  error_count_ += answer.status.ok() ? 0 : 1;
+  waited_ += answer.waited;
+  if (is_broken_) {
+    --in_flight_;
+  } else {
+    unsent_.push_back(std::move(response));
   }
-  go_on();  // the call may be gone from here on
+  go_on(std::move(lock));  // the call may be gone from here on
 }
 
 void BatchCall::OnWriteDone(bool ok) {
-  {
-    const std::lock_guard lock(mutex_);
-    is_writing_ = false;
-    --in_flight_;
-    if (!ok) {
-      is_broken_ = true;
-      in_flight_ -= static_cast<int>(unsent_.size());
-      unsent_.clear();
-    }
+  std::unique_lock lock(mutex_);
+  is_writing_ = false;
+  --in_flight_;
+  if (!ok) {
+    is_broken_ = true;
+    in_flight_ -= static_cast<int>(unsent_.size());
+    unsent_.clear();
   }
-  go_on();
+  go_on(std::move(lock));
 }
 
 // gRPC is called without the lock: it may call back, or end the call and with it the lock. Whoever is about to start
-// something keeps the others from ending the call.
-void BatchCall::go_on() {
-  std::unique_lock lock(mutex_);
+// something keeps the others from ending the call. The lock comes from whoever changed what this acts on: between two
+// locks others could act on it and end the call.
+void BatchCall::go_on(std::unique_lock<std::mutex> lock) {
   for (;;) {
     const bool reads = begins_reading();
     const bool writes = begins_writing();

@@ -49,7 +49,7 @@ class BatchCall final : public BatchReactor, private Ticker::Listener {
   void send(wire::PlanMotionBatchResponse response, const Answer& answer);
 
   /// Reads, writes or ends the call, whatever is possible now.
-  void go_on();
+  void go_on(std::unique_lock<std::mutex> lock);
   bool begins_reading();
   bool begins_writing();
   bool ends() const;

@@ -38,12 +38,10 @@ StreamCall::StreamCall(const Planner& planner, Ticker& ticker, Places& places,
       pace_(caller_.since()) {}
 
 void StreamCall::tick(Ticker::Clock::time_point now) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!pace_.is_due(now, has_news_)) return;
-    is_progress_due_ = true;
-  }
-  go_on();
+  std::unique_lock lock(mutex_);
+  if (!pace_.is_due(now, has_news_)) return;
+  is_progress_due_ = true;
+  go_on(std::move(lock));
 }
 
 void StreamCall::hear(const PlanningStatus& status) {
@@ -57,45 +55,36 @@ void StreamCall::hear(const PlanningStatus& status) {
 void StreamCall::hear(const Plan& plan) {
   wire::PlanMotionStreamResponse event;
   *event.mutable_incumbent() = plan_message(plan);
-  {
-    const std::lock_guard lock(mutex_);
-    best_duration_ = plan.duration;
-    lower_bound_ = std::max(lower_bound_, plan.certificate.lower_bound);
-    plans_.push_back(std::move(event));
-    if (plans_.size() > kMostUnsentPlans) plans_.pop_front();
-  }
-  go_on();
+  std::unique_lock lock(mutex_);
+  best_duration_ = plan.duration;
+  lower_bound_ = std::max(lower_bound_, plan.certificate.lower_bound);
+  plans_.push_back(std::move(event));
+  if (plans_.size() > kMostUnsentPlans) plans_.pop_front();
+  go_on(std::move(lock));
 }
 
 void StreamCall::finish(const Answer& answer) {
   ticker_.remove(*this);
   caller_.log(answer);
-  {
-    const std::lock_guard lock(mutex_);
-    end_ = answer.status;
-  }
-  go_on();  // the call may be gone from here on
+  std::unique_lock lock(mutex_);
+  end_ = answer.status;
+  go_on(std::move(lock));  // the call may be gone from here on
 }
 
 void StreamCall::OnWriteDone(bool ok) {
-  {
-    const std::lock_guard lock(mutex_);
-    is_busy_ = false;
-    is_broken_ = !ok;
-  }
-  go_on();
+  std::unique_lock lock(mutex_);
+  is_busy_ = false;
+  is_broken_ = !ok;
+  go_on(std::move(lock));
 }
 
-void StreamCall::go_on() {
-  grpc::Status status;
-  Step step = Step::kNothing;
-  {
-    const std::lock_guard lock(mutex_);
-    if (is_busy_) return;
-    step = next_step();
-    is_busy_ = step != Step::kNothing;
-    if (end_) status = *end_;
-  }
+// The lock comes from whoever changed what this acts on: between two locks others could act on it and end the call.
+void StreamCall::go_on(std::unique_lock<std::mutex> lock) {
+  if (is_busy_) return;
+  const Step step = next_step();
+  is_busy_ = step != Step::kNothing;
+  const grpc::Status status = end_ ? *end_ : grpc::Status();
+  lock.unlock();
   // Without the lock: gRPC may end the call, and with it the lock, before these return. Nobody else comes this far.
   if (step == Step::kWrite) StartWrite(&event_);
   if (step == Step::kWriteLast) StartWriteAndFinish(&event_, {}, status);

@@ -41,7 +41,7 @@ class StreamCall final : public grpc::ServerWriteReactor<wire::PlanMotionStreamR
   void finish(const Answer& answer);
 
   /// Sends what is next, if nothing is on its way.
-  void go_on();
+  void go_on(std::unique_lock<std::mutex> lock);
 
   enum class Step { kNothing, kWrite, kWriteLast, kFinish };
   Step next_step();
