@@ -19,8 +19,8 @@ namespace dualarm {
 namespace {
 
 /// Gap of an analytic plan above which the search goes on from it, the evaluations that it may take then, and the part
-/// of the time left. A plan with a wide gap is no start: it would hold back what goes another way, so the search begins as
-/// if there were none.
+/// of the time left. A plan with a wide gap is no start: it would hold back what goes another way, so the search begins
+/// as if there were none.
 constexpr double kWorthSearching = 0.01;
 constexpr double kWideGap = 0.05;
 constexpr int kFurtherEvaluations = 4000;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "server/listen_address.h"
 #include "server/logging/replay_folder.h"
@@ -56,14 +57,11 @@ std::vector<std::string> complaints_about(const ServerOptions& options) {
   } catch (const std::runtime_error& error) {
     complaints.push_back(error.what());
   }
-  if (!options.replay_dir.empty()) {
-    const std::string complaint = complaint_about_folder(options.replay_dir);
-    if (!complaint.empty()) complaints.push_back(complaint);
-  }
-  if (!options.port_file.empty()) {
-    const std::string complaint = complaint_about_port_file(options.port_file);
-    if (!complaint.empty()) complaints.push_back(complaint);
-  }
+  const auto add = [&complaints](std::string complaint) {
+    if (!complaint.empty()) complaints.push_back(std::move(complaint));
+  };
+  if (!options.replay_dir.empty()) add(complaint_about_folder(options.replay_dir));
+  if (!options.port_file.empty()) add(complaint_about_port_file(options.port_file));
   if (share_an_address(options)) {
     complaints.push_back(
         fmt::format("--listen and --metrics-listen are both {}: give one of them another port", options.listen));

@@ -83,20 +83,21 @@ class ClearanceSearch {
     const double enough = enough_distance(found.error());
     const Interval kept = found.keeps(enough);
     const bool is_cut = kept.length() == 0.0;
-    const double cut = is_cut ? cut_of(pairs_[pair].pair, time) : 0.0;
-    const auto leave = [&](Interval rest, Interval kept_half, double lower_bound) {
+    const double cut = cut_of(pairs_[pair].pair, time);
+    const Interval done = is_cut ? Interval{cut, cut} : kept;
+    const auto leave = [&](Interval rest, double kept_time, double lower_bound) {
       if (lower_bound >= enough) {
         kept_ = std::min(kept_, lower_bound);
         return;
       }
-      if (kept_half.length() > 0.0) kept_ = std::min(kept_, enough);
+      if (kept_time > 0.0) kept_ = std::min(kept_, enough);
       if (!is_cut && rest.length() == 0.0) return;
       const double seen =
           rest.contains(middle) ? found.in_the_middle().distance : std::numeric_limits<double>::infinity();
       candidates_.push({pair, rest, lower_bound, found.error(), seen});
     };
-    leave({time.lower, is_cut ? cut : kept.lower}, {kept.lower, middle}, found.least_before());
-    leave({is_cut ? cut : kept.upper, time.upper}, {middle, kept.upper}, found.least_after());
+    leave({time.lower, done.lower}, middle - kept.lower, found.least_before());
+    leave({done.upper, time.upper}, kept.upper - middle, found.least_after());
   }
 
   void take_sight(std::size_t pair, double time, const Clearance& seen) {

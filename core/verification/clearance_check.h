@@ -24,9 +24,9 @@ struct ClearanceReport {
 /// among themselves. Bodies that touch collide, also where 0 is demanded.
 ///
 /// Best first: each interval of time of each pair has a proven lower bound on its distance (the better of a speed bound
-/// and separation). A look at the one with the lowest bound proves a stretch around its middle to be far enough; what is
-/// before and after that stretch is left (both halves where it is none, or both sides of a corner of a track), until the
-/// lowest bound is as good as the smallest distance that FCL has seen. Theory, section 5.
+/// and separation). A look at the one with the lowest bound proves a stretch around its middle to be far enough; what
+/// is before and after that stretch is left (both halves where it is none, or both sides of a corner of a track), until
+/// the lowest bound is as good as the smallest distance that FCL has seen. Theory, section 5.
 ClearanceReport check_clearance(const Problem& problem, const std::array<Interpolant, kArmCount>& motions,
                                 double duration, const Budget& budget);
 

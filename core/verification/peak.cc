@@ -4,15 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/verification/pair.h"
 #include "core/verification/tolerances.h"
 
 namespace dualarm {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// What is not a number uses more than any limit.
-double or_infinite(double share) { return std::isnan(share) ? kInfinity : share; }
 
 double half_width_of(Interval limits) {
   if (std::isfinite(limits.lower) == std::isfinite(limits.upper)) return 0.5 * limits.upper - 0.5 * limits.lower;

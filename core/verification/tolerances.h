@@ -70,7 +70,7 @@ inline constexpr double kTouching = 1e-9;
 inline constexpr double kShortestInterval = 1e-7;
 
 /// Distance queries in one verification, 0.05 s (0.5 s where numbers are huge or bodies are boxes and cylinders): a
-/// bound on time against hostile trajectories. Good ones take about 100.
+/// bound on time against hostile trajectories. Good ones take some 20.
 inline constexpr int kMostQueries = 50000;
 
 /// Distance queries spent on better evidence after a collision is certain.

@@ -35,8 +35,8 @@ enum class WhenFull { kRefuse, kWait };
 
 /// One request of PlanMotion on its way to the answer, the same for every kind of call: parsed and planned by the quick
 /// methods on one pool; where these take long they begin anew on another, so that nobody's short plan waits for a long
-/// one; what they leave to the search goes on to a third, with what is left of its budget. Waiting takes nothing from the
-/// budget. The answer is the same wherever it is made: what a trial was kept from looking at, it does not answer.
+/// one; what they leave to the search goes on to a third, with what is left of its budget. Waiting takes nothing from
+/// the budget. The answer is the same wherever it is made: what a trial was kept from looking at, it does not answer.
 class PlanningTask final : private Ticker::Listener {
  public:
   /// Called once, as the task's last deed, on a worker or on the thread that starts the task: it may delete the task.
@@ -70,8 +70,8 @@ class PlanningTask final : private Ticker::Listener {
   void start_slowly();
   void begin_slowly();
 
-  /// Plans by the quick methods in so much processor time, and goes on. False, and nothing is left of it, if that is not
-  /// enough; else the task may be gone.
+  /// Plans by the quick methods in so much processor time, and goes on. False, and nothing is left of it, if that is
+  /// not enough; else the task may be gone.
   bool go_on_within(std::chrono::nanoseconds work);
   void go_on(std::optional<Answer> quick);
   void wait_for_search(const Outcome& in_hand);

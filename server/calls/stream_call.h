@@ -40,7 +40,7 @@ class StreamCall final : public grpc::ServerWriteReactor<wire::PlanMotionStreamR
   void hear(const Plan& plan);
   void finish(const Answer& answer);
 
-  /// Sends what is next, if nothing is on its way.
+  /// Sends what is next, if nothing is on its way. `lock` holds the mutex.
   void go_on(std::unique_lock<std::mutex> lock);
 
   enum class Step { kNothing, kWrite, kWriteLast, kFinish };

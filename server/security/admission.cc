@@ -13,10 +13,9 @@ constexpr std::string_view kScheme = "bearer ";
 
 /// The scheme's name in any case (RFC 9110, 11.1).
 bool names_scheme(std::string_view authorization) {
-  const auto same = [](char left, char right) { return std::tolower(static_cast<unsigned char>(left)) == right; };
-  return authorization.size() >= kScheme.size() &&
-         std::equal(kScheme.begin(), kScheme.end(), authorization.begin(),
-                    [&](char wanted, char given) { return same(given, wanted); });
+  const std::string_view name = authorization.substr(0, kScheme.size());
+  return std::equal(name.begin(), name.end(), kScheme.begin(), kScheme.end(),
+                    [](unsigned char given, char wanted) { return std::tolower(given) == wanted; });
 }
 
 }  // namespace
