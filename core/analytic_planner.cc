@@ -138,8 +138,9 @@ class AnalyticPlanner {
       if (auto found = pass(known)) return *std::move(found);
     }
     if (choice.times) {
-      const StartTimes& times = *choice.times;
-      if (auto found = verified(method_of(times), {{fastest_[0].profile, fastest_[1].profile}, times})) return found;
+      PassagePlan plan = {{std::move(fastest_[0].profile), std::move(fastest_[1].profile)}, *choice.times};
+      const Method method = method_of(plan.times);
+      if (auto found = verified(method, std::move(plan))) return found;
       return std::nullopt;
     }
     return refusal_of_delays();
@@ -209,8 +210,8 @@ class AnalyticPlanner {
       return std::nullopt;
     }
     if (auto found = pass_extremally()) return found;
-    if (const auto best = fastest_passage(prepared_, *findings_.passages, known, budget_.methods)) {
-      return verified(Method::kPassage, *best);
+    if (auto best = fastest_passage(prepared_, *findings_.passages, known, budget_.methods)) {
+      return verified(Method::kPassage, *std::move(best));
     }
     findings_.tried.push_back("passage: no motions through it were found that are free and faster than a delay");
     return std::nullopt;
@@ -218,19 +219,20 @@ class AnalyticPlanner {
 
   /// The extremal motions through the fastest way, if they are free. Verification tells that faster than a search.
   std::optional<Plan> pass_extremally() {
-    const auto extremal = extremal_plan(findings_.passages->travellers, findings_.passages->bound.ways.front(),
-                                        slower_duration(), problem_.options.max_start_delay);
+    auto extremal = extremal_plan(findings_.passages->travellers, findings_.passages->bound.ways.front(),
+                                  slower_duration(), problem_.options.max_start_delay);
     if (!extremal || prepared_.has_moving_objects() || budget_.methods.exhausted()) return std::nullopt;
     const std::size_t tried = findings_.tried.size();
-    if (auto found = verified(Method::kPassage, *extremal)) return found;
+    if (auto found = verified(Method::kPassage, *std::move(extremal))) return found;
     findings_.tried.resize(tried);
     return std::nullopt;
   }
 
-  std::optional<Plan> verified(Method method, const PassagePlan& plan) {
-    const Schedule schedule = schedule_of(plan);
-    auto found = proven_plan(prepared_, method, plan.times.duration, schedule, budget_.proof, findings_);
-    if (found) findings_.analytic = KnownSchedule{schedule, plan.times.duration};
+  std::optional<Plan> verified(Method method, PassagePlan plan) {
+    const double duration = plan.times.duration;
+    Schedule schedule = schedule_of(std::move(plan));
+    auto found = proven_plan(prepared_, method, duration, schedule, budget_.proof, findings_);
+    if (found) findings_.analytic = KnownSchedule{std::move(schedule), duration};
     return found;
   }
 

@@ -1,6 +1,7 @@
 #include "core/passage_choice.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/start_choice.h"
 
@@ -20,9 +21,11 @@ bool gives_way_to_objects(const PreparedProblem& prepared, PassagePlan& plan, do
 
 }  // namespace
 
-Schedule schedule_of(const PassagePlan& plan) {
-  return {std::vector{TimedProfile{plan.times.first, plan.motions[0]}},
-          {TimedProfile{plan.times.second, plan.motions[1]}}};
+Schedule schedule_of(PassagePlan plan) {
+  Schedule schedule;
+  schedule[0].push_back({plan.times.first, std::move(plan.motions[0])});
+  schedule[1].push_back({plan.times.second, std::move(plan.motions[1])});
+  return schedule;
 }
 
 std::optional<PassagePlan> fastest_passage(const PreparedProblem& prepared, const Passages& passages, double known,

@@ -9,7 +9,7 @@
 namespace dualarm {
 
 /// Each arm's one motion, when it begins.
-Schedule schedule_of(const PassagePlan& plan);
+Schedule schedule_of(PassagePlan plan);
 
 /// The fastest plan found through the ways that there are for both arms around each other, in both orders, which takes
 /// less than `known` (s) and gives way to moving objects. Nothing where there is none. Theory, section 4.

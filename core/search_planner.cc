@@ -118,7 +118,8 @@ class SearchPlanner {
     }
     if (options.allows(Method::kPassage)) return;
     if (auto passage = fastest_passage(prepared_, passages, known_duration(), budget_.methods)) {
-      add({schedule_of(*passage), passage->times.duration});
+      const double duration = passage->times.duration;
+      add({schedule_of(*std::move(passage)), duration});
     }
   }
 

@@ -1,4 +1,5 @@
 // The states of an arc at evenly spaced times: the rows of knots.
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
@@ -126,12 +127,18 @@ void ArcMotion::spread_miss(std::vector<JointState>& states, const JointState& e
   const double velocity_miss = (end.velocity - states.back().velocity) * span;
   const double square = 3.0 * position_miss - velocity_miss;  // of u, which goes from 0 to 1
   const double cube = velocity_miss - 2.0 * position_miss;
-  const double part = 1.0 / static_cast<double>(states.size() - 1);
-  const double per_span = 1.0 / span;
-  for (std::size_t i = 1; i < states.size(); ++i) {
-    const double u = static_cast<double>(i) * part;
-    states[i].position += u * u * (square + u * cube);
-    states[i].velocity += u * (2.0 * square + 3.0 * u * cube) * per_span;
+  const auto last = static_cast<int>(states.size() - 1);
+  const double part = 1.0 / last;
+  // By powers of u, of the position and of the velocity together.
+  const Eigen::Array2d first = {0.0, 2.0 * square / span};
+  const Eigen::Array2d second = {square, 3.0 * cube / span};
+  const Eigen::Array2d third = {cube, 0.0};
+  for (int i = 1; i < last; ++i) {
+    const double u = i * part;
+    JointState& state = states[static_cast<std::size_t>(i)];
+    const Eigen::Array2d moved =
+        Eigen::Array2d(state.position, state.velocity) + u * (first + u * (second + u * third));
+    state = {moved[0], moved[1]};
   }
   states.back() = end;
 }

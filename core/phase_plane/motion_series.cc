@@ -4,6 +4,8 @@
 #include <boost/math/special_functions/pow.hpp>
 #include <cmath>
 
+#include "core/model/wide_registers.h"
+
 namespace dualarm {
 namespace {
 
@@ -17,34 +19,43 @@ constexpr std::size_t kLastTerms = 4;
 std::optional<MotionSeries> MotionSeries::about(const System& system, Extreme extreme, JointState state) {
   MotionSeries series;
   if (!system.extremal_series(extreme, state, series.way_)) return std::nullopt;
-  for (std::size_t k = 0; k + 1 < kTerms; ++k) {
-    series.way_per_time_[k] = {series.way_[k + 1], static_cast<double>(k + 1) * series.way_[k + 1]};
-  }
+  for (std::size_t k = 0; k + 1 < kTerms; ++k) series.velocity_[k] = static_cast<double>(k + 1) * series.way_[k + 1];
   return series;
 }
 
-/// Of states whose polynomials are worked out together, since each step of one waits for the step before. The last
-/// group may be larger than what is left of the states.
-template <std::size_t kCount>
-void MotionSeries::follow_together(double step, std::size_t first, std::span<JointState> states) const {
-  std::array<double, kCount> times;
-  for (std::size_t i = 0; i < kCount; ++i) times[i] = step * static_cast<double>(first + i + 1);
-  std::array<Eigen::Array2d, kCount> sums;
-  sums.fill(way_per_time_.back());
-  for (std::size_t k = way_per_time_.size() - 1; k-- > 0;) {
-    const Eigen::Array2d coefficients = way_per_time_[k];
-    for (std::size_t i = 0; i < kCount; ++i) sums[i] = sums[i] * times[i] + coefficients;
+/// Of four states. Each polynomial is summed up by even and by odd powers, since each step of a sum waits for the step
+/// before.
+[[gnu::always_inline]] inline void MotionSeries::follow_four(const Four& time, Four& way, Four& velocity) const {
+  const Four square = time * time;
+  constexpr std::size_t kLast = kTerms - 2;  // the last even power of way / time
+  static_assert(kLast % 2 == 0);
+  Four even_way = Four() + way_[kLast + 1];
+  Four odd_way = Four();
+  Four even_velocity = Four() + velocity_[kLast];
+  Four odd_velocity = Four();
+  for (std::size_t k = kLast; k >= 2; k -= 2) {
+    odd_way = odd_way * square + way_[k];
+    odd_velocity = odd_velocity * square + velocity_[k - 1];
+    even_way = even_way * square + way_[k - 1];
+    even_velocity = even_velocity * square + velocity_[k - 2];
   }
-  const std::size_t count = std::min(kCount, states.size() - first);
-  for (std::size_t i = 0; i < count; ++i) states[first + i] = {sums[i][0] * times[i], sums[i][1]};
+  way = (even_way + odd_way * time) * time;
+  velocity = even_velocity + odd_velocity * time;
 }
 
 void MotionSeries::follow(double step, std::span<JointState> states) const {
-  constexpr std::size_t kMany = 8;
-  constexpr std::size_t kFew = 4;
-  std::size_t first = 0;
-  for (; first + kMany <= states.size(); first += kMany) follow_together<kMany>(step, first, states);
-  for (; first < states.size(); first += kFew) follow_together<kFew>(step, first, states);
+  with_wide_registers([&] {
+    Four count = {1.0, 2.0, 3.0, 4.0};
+    for (std::size_t first = 0; first < states.size(); first += 4, count += 4.0) {
+      Four way;
+      Four velocity;
+      follow_four(step * count, way, velocity);
+      // The last four may be more than what is left of the states.
+      for (std::size_t i = 0; i < std::min<std::size_t>(4, states.size() - first); ++i) {
+        states[first + i] = {way[i], velocity[i]};
+      }
+    }
+  });
 }
 
 double MotionSeries::reach(double most) const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -27,11 +26,12 @@ class MotionSeries {
  private:
   static constexpr std::size_t kTerms = 20;
 
-  template <std::size_t kCount>
-  void follow_together(double step, std::size_t first, std::span<JointState> states) const;
+  using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
 
-  std::array<double, kTerms> way_;                       ///< coefficients of powers of time
-  std::array<Eigen::Array2d, kTerms - 1> way_per_time_;  ///< the same of way / time and of the velocity
+  void follow_four(const Four& time, Four& way, Four& velocity) const;
+
+  std::array<double, kTerms> way_;           ///< coefficients of powers of time
+  std::array<double, kTerms - 1> velocity_;  ///< the same of the velocity
 };
 
 }  // namespace dualarm

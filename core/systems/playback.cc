@@ -29,6 +29,8 @@ constexpr double kSmoothReserve = 2.0;
 constexpr int kMostIntervals = 16384;
 /// Ratio of unfaithfulness after a doubling and before that counts as a gain: true arcs gain a factor of sixteen.
 constexpr double kGain = 0.5;
+/// Arcs of most motions are no more: each may have a knot more than its time asks.
+constexpr std::size_t kFewArcs = 16;
 /// Doublings in a row that may bring nothing: the first ones of a very coarse period need not.
 constexpr int kVainDoublings = 4;
 
@@ -54,6 +56,7 @@ class Player {
   Player(const Arm& arm, const SingleJointArm& system, double duration, double knot_period)
       : system_(system), duration_(duration), knot_period_(knot_period) {
     played_.arm = arm.name;
+    played_.knots.reserve(static_cast<std::size_t>(duration / knot_period) + kFewArcs);
   }
 
   /// Stays in a state until a time, which takes rest or no time.
@@ -148,9 +151,9 @@ class Player {
     const double step = (placed.end_time - placed.start_time) / count;
     const std::vector<JointState> states = profile.states_along(arc, count);
     std::vector<Knot> knots(states.size());
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      const double time = placed.start_time + step * static_cast<double>(i);
-      knots[i] = {time, states[i].position, states[i].velocity, 0.0, 0.0};
+    double steps = 0.0;
+    for (std::size_t i = 0; i < states.size(); ++i, ++steps) {
+      knots[i] = {placed.start_time + step * steps, states[i].position, states[i].velocity, 0.0, 0.0};
     }
     knots.back().time = placed.end_time;
     system_.drive(profile.extreme_on(arc), knots);

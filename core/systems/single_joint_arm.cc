@@ -2,9 +2,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
+#include "core/model/wide_registers.h"
 #include "core/systems/balance.h"
 #include "core/systems/torque_shape.h"
 
@@ -17,27 +20,61 @@ constexpr std::size_t kMostTerms = 32;  ///< of a series
 
 /// Neighbours whose sines share one call of the library.
 constexpr std::size_t kGroup = 16;
-using Group = Eigen::Array<double, static_cast<int>(kGroup), 1>;
+using Group = std::array<double, kGroup>;
 
 /// rad. Up to here the first terms left out below, x^13 / 13! and x^14 / 14!, are less than 3e-18.
 constexpr double kMostDifference = 0.25;
 
-/// Sines of the positions of at most kGroup knots, seen from `phase`, by the addition theorem from the middle one;
-/// nothing where they differ by too much.
+/// Sines of `about` + x, by the addition theorem.
+[[gnu::always_inline]] inline void add_to_sine(double about, const Group& x, Group& sines) {
+  using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+  const double s = std::sin(about);
+  const double c = std::cos(about);
+  for (std::size_t i = 0; i < kGroup; i += 4) {
+    Four difference;
+    std::memcpy(&difference, &x[i], sizeof difference);
+    const Four y = difference * difference;
+    const Four sine_less_x =
+        difference * y *
+        (-1.0 / 6.0 + y * (1.0 / 120.0 + y * (-1.0 / 5040.0 + y * (1.0 / 362880.0 + y * (-1.0 / 39916800.0)))));
+    const Four cosine_less_one =
+        y * (-0.5 + y * (1.0 / 24.0 +
+                         y * (-1.0 / 720.0 + y * (1.0 / 40320.0 + y * (-1.0 / 3628800.0 + y * (1.0 / 479001600.0))))));
+    const Four sine = s + (c * (difference + sine_less_x) + s * cosine_less_one);
+    std::memcpy(&sines[i], &sine, sizeof sine);
+  }
+}
+
+/// Sines of the positions of at most kGroup knots, seen from `phase`; nothing where they differ by too much.
 std::optional<Group> sines_about_middle(std::span<const Knot> knots, double phase) {
   const double middle = knots[knots.size() / 2].position;
-  Group x = Group::Zero();
-  for (std::size_t i = 0; i < knots.size(); ++i) x[static_cast<Eigen::Index>(i)] = knots[i].position - middle;
-  if (!(x.abs().maxCoeff() <= kMostDifference)) return std::nullopt;
-  const double s = std::sin(middle - phase);
-  const double c = std::cos(middle - phase);
-  const Group y = x * x;
-  const Group sine_less_x =
-      x * y * (-1.0 / 6.0 + y * (1.0 / 120.0 + y * (-1.0 / 5040.0 + y * (1.0 / 362880.0 + y * (-1.0 / 39916800.0)))));
-  const Group cosine_less_one =
-      y * (-0.5 + y * (1.0 / 24.0 +
-                       y * (-1.0 / 720.0 + y * (1.0 / 40320.0 + y * (-1.0 / 3628800.0 + y * (1.0 / 479001600.0))))));
-  return s + (c * (x + sine_less_x) + s * cosine_less_one);
+  Group x = {};
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    x[i] = knots[i].position - middle;
+    farthest = std::max(farthest, std::abs(x[i]));
+  }
+  if (!(farthest <= kMostDifference)) return std::nullopt;
+  std::optional<Group> sines(std::in_place);
+  with_wide_registers([&] { add_to_sine(middle - phase, x, *sines); });
+  return sines;
+}
+
+/// The coefficient of time^(k + 1) of the direction e^(i angle), whose derivative is i angle' times itself, from those
+/// up to k of it and of the angle's rate. `share` is 1 / (k + 1).
+Eigen::Array2d next_direction(const Eigen::Array2d* directions, const double* rates, std::size_t k, double share) {
+  // Two sums, since each addition to one waits for the one before; and what is known last comes last.
+  Eigen::Array2d even = Eigen::Array2d::Zero();
+  Eigen::Array2d odd = Eigen::Array2d::Zero();
+  std::size_t j = 1;
+  for (; j + 1 < k; j += 2) {
+    odd += rates[j] * directions[k - j];
+    even += rates[j + 1] * directions[k - j - 1];
+  }
+  if (j < k) odd += rates[j] * directions[k - j];
+  if (k > 0) even += rates[k] * directions[0];
+  const Eigen::Array2d sum = (even + odd) + rates[0] * directions[k];
+  return {-sum[1] * share, sum[0] * share};
 }
 
 }  // namespace
@@ -137,7 +174,6 @@ double SingleJointArm::stiffness() const {
 bool SingleJointArm::extremal_series(Extreme extreme, JointState from, std::span<double> way) const {
   const auto* constant = std::get_if<Interval>(&torque_);
   if (constant == nullptr || way.size() > kMostTerms) return false;
-  // The angle's direction e^(i angle) as a series of its own: its derivative is i angle' times itself.
   std::array<Eigen::Array2d, kMostTerms> directions;  // real and imaginary part
   std::array<double, kMostTerms> rate;                // of the angle, which is that of the way
   const double angle = from.position - gravity_.phase;
@@ -150,18 +186,8 @@ bool SingleJointArm::extremal_series(Extreme extreme, JointState from, std::span
     way[k + 1] = rate[k] * share;
     const double torque =
         (k == 0 ? torque_end(extreme, *constant) : 0.0) - gravity_.amplitude * directions[k][1] - friction_ * rate[k];
+    directions[k + 1] = next_direction(directions.data(), rate.data(), k, share);
     rate[k + 1] = torque * per_inertia * share;
-    // Two sums: each addition to one waits for the one before.
-    Eigen::Array2d even = rate[0] * directions[k];
-    Eigen::Array2d odd = Eigen::Array2d::Zero();
-    std::size_t j = 1;
-    for (; j < k; j += 2) {
-      odd += rate[j] * directions[k - j];
-      even += rate[j + 1] * directions[k - j - 1];
-    }
-    if (j == k) odd += rate[j] * directions[0];
-    const Eigen::Array2d sum = even + odd;
-    directions[k + 1] = {-sum[1] * share, sum[0] * share};
   }
   return true;
 }
@@ -190,24 +216,31 @@ SingleJointArm::Drive SingleJointArm::drive(std::optional<Extreme> extreme, Join
 }
 
 void SingleJointArm::drive(std::optional<Extreme> extreme, std::span<Knot> knots) const {
-  const auto* constant = std::get_if<Interval>(&torque_);
-  const double end = constant != nullptr && extreme ? torque_end(*extreme, *constant) : 0.0;
   for (std::size_t first = 0; first < knots.size(); first += kGroup) {
     const auto group = knots.subspan(first, std::min(kGroup, knots.size() - first));
-    const auto sines = constant != nullptr ? sines_about_middle(group, gravity_.phase) : std::nullopt;
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      Knot& knot = group[i];
-      if (!sines) {
-        const Drive alone = drive(extreme, {knot.position, knot.velocity});
-        knot.acceleration = alone.acceleration;
-        knot.torque = alone.torque;
-        continue;
-      }
-      const double held = gravity_.amplitude * (*sines)[static_cast<Eigen::Index>(i)] + rubbed_off(knot.velocity);
-      knot.acceleration = extreme ? (end - held) / inertia_ : 0.0;
-      knot.torque = extreme ? end : held;
+    if (drive_together(extreme, group)) continue;
+    for (Knot& knot : group) {
+      const Drive alone = drive(extreme, {knot.position, knot.velocity});
+      knot.acceleration = alone.acceleration;
+      knot.torque = alone.torque;
     }
   }
+}
+
+/// The same of neighbours; false, and nothing done, where their sines cannot share a call.
+bool SingleJointArm::drive_together(std::optional<Extreme> extreme, std::span<Knot> knots) const {
+  const auto* constant = std::get_if<Interval>(&torque_);
+  if (constant == nullptr) return false;
+  const auto sines = sines_about_middle(knots, gravity_.phase);
+  if (!sines) return false;
+  const double per_inertia = 1.0 / inertia_;
+  const double end = extreme ? torque_end(*extreme, *constant) : 0.0;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const double held = gravity_.amplitude * (*sines)[i] + rubbed_off(knots[i].velocity);
+    knots[i].acceleration = extreme ? (end - held) * per_inertia : 0.0;
+    knots[i].torque = extreme ? end : held;
+  }
+  return true;
 }
 
 double SingleJointArm::torque(JointState state, double acceleration) const {

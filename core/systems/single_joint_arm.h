@@ -70,6 +70,7 @@ class SingleJointArm final : public System {
   double extreme_bound(Extreme extreme, Interval velocities) const;
   double rest_bound(Extreme extreme, double over_velocities) const;
   double rubbed_off(double s_dot) const { return friction_ == 0.0 ? 0.0 : friction_ * s_dot; }  // 0 times infinity is 0
+  bool drive_together(std::optional<Extreme> extreme, std::span<Knot> knots) const;
   static std::size_t index(Extreme extreme) { return extreme == Extreme::kLowest ? 0 : 1; }
 
   double inertia_;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
-#include "core/verification/pair.h"
+#include "core/verification/lanes.h"
 
 namespace dualarm {
 namespace {
@@ -13,13 +14,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kBlockSize = 16;  // pieces
 
 /// What is gathered over all pieces.
-template <typename Number>
 struct Gathered {
-  Number lowest = Number() + kInfinity;
-  Number highest = Number() - kInfinity;
-  Number slowest = Number() + kInfinity;
-  Number fastest = Number() - kInfinity;
-  Number doubt = Number();  // 0 while all numbers are finite
+  Lanes lowest = Lanes() + kInfinity;
+  Lanes highest = Lanes() - kInfinity;
+  Lanes slowest = Lanes() + kInfinity;
+  Lanes fastest = Lanes() - kInfinity;
+  Lanes doubt = Lanes();  // 0 while all numbers are finite
 };
 
 /// Where the numbers of the pieces of a run stand.
@@ -42,7 +42,8 @@ struct Columns {
 
 /// Bernstein coefficients of the position, and the pieces' bounds from them. `y` is a twentieth of the square of h.
 template <typename Number>
-void bound_position(const Columns& columns, std::size_t i, Number h, Gathered<Number>& all) {
+[[gnu::always_inline]] inline void bound_position(const Columns& columns, std::size_t i, const Number& h,
+                                                  Gathered& all) {
   const Number q0 = load<Number>(columns.position + i);
   const Number q1 = load<Number>(columns.position + i + 1);
   const Number x0 = 0.2 * h * load<Number>(columns.velocity + i);
@@ -53,20 +54,22 @@ void bound_position(const Columns& columns, std::size_t i, Number h, Gathered<Nu
   const Number third = q0 + 2.0 * x0 + y0;
   const Number fourth = q1 - 2.0 * x1 + y1;
   const Number fifth = q1 - x1;
-  const Number lowest = lesser(lesser(lesser(q0, q1), lesser(second, third)), lesser(fourth, fifth));
-  const Number highest = greater(greater(greater(q0, q1), greater(second, third)), greater(fourth, fifth));
-  store(columns.lowest + i, lowest);
-  store(columns.highest + i, highest);
-  all.lowest = lesser(all.lowest, lowest);
-  all.highest = greater(all.highest, highest);
+  const Number lowest = lesser<Number>(lesser<Number>(lesser<Number>(q0, q1), lesser<Number>(second, third)),
+                                       lesser<Number>(fourth, fifth));
+  const Number highest = greater<Number>(greater<Number>(greater<Number>(q0, q1), greater<Number>(second, third)),
+                                         greater<Number>(fourth, fifth));
+  store<Number>(columns.lowest + i, lowest);
+  store<Number>(columns.highest + i, highest);
+  all.lowest = lesser<Lanes>(all.lowest, widened(lowest));
+  all.highest = greater<Lanes>(all.highest, widened(highest));
   const Number sum = second + third + fourth + fifth;
-  all.doubt = all.doubt + (sum - sum);
+  all.doubt = all.doubt + widened(Number(sum - sum));
 }
 
 /// The same of velocity and acceleration. They are written out, because differences of the position's coefficients lose
 /// digits over short times.
 template <typename Number>
-void bound_rates(const Columns& columns, std::size_t i, Number h, Gathered<Number>& all) {
+[[gnu::always_inline]] inline void bound_rates(const Columns& columns, std::size_t i, const Number& h, Gathered& all) {
   const Number per = 1.0 / h;
   const Number mean = (load<Number>(columns.position + i + 1) - load<Number>(columns.position + i)) * per;
   const Number v0 = load<Number>(columns.velocity + i);
@@ -76,34 +79,60 @@ void bound_rates(const Columns& columns, std::size_t i, Number h, Gathered<Numbe
   const Number v1 = v0 + 0.25 * h * a0;
   const Number v2 = 5.0 * mean - 2.0 * (v0 + v4) + 0.25 * h * (a3 - a0);
   const Number v3 = v4 - 0.25 * h * a3;
-  const Number slowest = lesser(lesser(lesser(v0, v1), lesser(v3, v4)), v2);
-  const Number fastest = greater(greater(greater(v0, v1), greater(v3, v4)), v2);
-  const Number speed = greater(fastest, -slowest);
+  const Number slowest = lesser<Number>(lesser<Number>(lesser<Number>(v0, v1), lesser<Number>(v3, v4)), v2);
+  const Number fastest = greater<Number>(greater<Number>(greater<Number>(v0, v1), greater<Number>(v3, v4)), v2);
+  const Number speed = greater<Number>(fastest, -slowest);
   const Number a1 = 20.0 * (mean - 0.6 * v0 - 0.4 * v4) * per + a3 - 2.0 * a0;
   const Number a2 = 20.0 * (0.4 * v0 + 0.6 * v4 - mean) * per + a0 - 2.0 * a3;
-  const Number most_acceleration =
-      greater(greater(magnitude(a0), magnitude(a1)), greater(magnitude(a2), magnitude(a3)));
-  store(columns.slowest + i, slowest);
-  store(columns.fastest + i, fastest);
-  store(columns.speed + i, speed);
-  store(columns.second + i, a1);
-  store(columns.third + i, a2);
-  store(columns.most_acceleration + i, most_acceleration);
+  const Number most_acceleration = greater<Number>(greater<Number>(magnitude<Number>(a0), magnitude<Number>(a1)),
+                                                   greater<Number>(magnitude<Number>(a2), magnitude<Number>(a3)));
+  store<Number>(columns.slowest + i, slowest);
+  store<Number>(columns.fastest + i, fastest);
+  store<Number>(columns.speed + i, speed);
+  store<Number>(columns.second + i, a1);
+  store<Number>(columns.third + i, a2);
+  store<Number>(columns.most_acceleration + i, most_acceleration);
 
-  all.slowest = lesser(all.slowest, slowest);
-  all.fastest = greater(all.fastest, fastest);
+  all.slowest = lesser<Lanes>(all.slowest, widened(slowest));
+  all.fastest = greater<Lanes>(all.fastest, widened(fastest));
   const Number sum = (a1 + a2) + (v1 + v2 + v3);
-  all.doubt = all.doubt + (sum - sum);
+  all.doubt = all.doubt + widened(Number(sum - sum));
 }
 
 template <typename Number>
-void bound_piece(const Columns& columns, std::size_t i, Gathered<Number>& all) {
+[[gnu::always_inline]] inline void bound_piece(const Columns& columns, std::size_t i, Gathered& all) {
   const Number time = load<Number>(columns.time + i);
   const Number h = load<Number>(columns.time + i + 1) - time;
-  store(columns.start + i, time);
-  store(columns.duration + i, h);
+  store<Number>(columns.start + i, time);
+  store<Number>(columns.duration + i, h);
   bound_position(columns, i, h, all);
   bound_rates(columns, i, h, all);
+}
+
+/// Writes the first four numbers of knots as columns, one after the other.
+[[gnu::always_inline]] inline void transpose(const std::vector<Knot>& knots, double* columns) {
+  static_assert(offsetof(Knot, time) == 0 && offsetof(Knot, acceleration) == (kLaneCount - 1) * sizeof(double));
+  const std::size_t count = knots.size();
+  const auto of_knot = [&](std::size_t k) __attribute__((always_inline)) { return load<Lanes>(&knots[k].time); };
+  std::size_t k = 0;
+  for (; k + kLaneCount <= count; k += kLaneCount) {
+    using Order [[gnu::vector_size(sizeof(Lanes))]] = long long;
+    constexpr Order kFirsts = {0, 4, 2, 6};
+    constexpr Order kSeconds = {1, 5, 3, 7};
+    constexpr Order kLower = {0, 1, 4, 5};
+    constexpr Order kUpper = {2, 3, 6, 7};
+    const Lanes a = of_knot(k), b = of_knot(k + 1), c = of_knot(k + 2), d = of_knot(k + 3);
+    const Lanes ab_even = __builtin_shuffle(a, b, kFirsts), ab_odd = __builtin_shuffle(a, b, kSeconds);
+    const Lanes cd_even = __builtin_shuffle(c, d, kFirsts), cd_odd = __builtin_shuffle(c, d, kSeconds);
+    store<Lanes>(columns + k, __builtin_shuffle(ab_even, cd_even, kLower));
+    store<Lanes>(columns + count + k, __builtin_shuffle(ab_odd, cd_odd, kLower));
+    store<Lanes>(columns + 2 * count + k, __builtin_shuffle(ab_even, cd_even, kUpper));
+    store<Lanes>(columns + 3 * count + k, __builtin_shuffle(ab_odd, cd_odd, kUpper));
+  }
+  for (; k < count; ++k) {
+    const Lanes knot = of_knot(k);
+    for (std::size_t column = 0; column < kLaneCount; ++column) columns[column * count + k] = knot[column];
+  }
 }
 
 }  // namespace
@@ -119,34 +148,24 @@ Interpolant::Interpolant(const std::vector<Knot>& knots)
 }
 
 void Interpolant::take(const std::vector<Knot>& knots) {
-  double* const time = knots_.col(kTime).data();
-  double* const position = knots_.col(kPosition).data();
-  double* const velocity = knots_.col(kVelocity).data();
-  double* const acceleration = knots_.col(kAcceleration).data();
+  static_assert(kTime == 0 && kPosition == 1 && kVelocity == 2 && kAcceleration == 3);
+  with_wide_registers([&] { transpose(knots, knots_.data()); });
+  const double* const time = times().data();
   std::size_t first = 0;
   const auto end_run = [&](std::size_t last) {
     if (last > first) runs_.push_back({first, piece_count_, last - first});
     piece_count_ += last - first;
     first = last + 1;
   };
-  for (std::size_t k = 0; k < knots.size(); ++k) {
-    const Knot& knot = knots[k];
-    time[k] = knot.time;
-    position[k] = knot.position;
-    velocity[k] = knot.velocity;
-    acceleration[k] = knot.acceleration;
-    if (k > 0 && share_a_time(time[k - 1], knot.time)) end_run(k - 1);
+  const std::size_t count = knots.size();
+  for (std::size_t k = 1; k < count; ++k) {
+    if (share_a_time(time[k - 1], time[k])) end_run(k - 1);
   }
   end_run(knots.size() - 1);
 }
 
 void Interpolant::bound_pieces() {
-  Gathered<Pair> pairs;
-  Gathered<double> all;
-  const auto bound = [&](const Columns& columns, auto number, std::size_t i) {
-    if constexpr (sizeof number == sizeof(Pair)) bound_piece(columns, i, pairs);
-    if constexpr (sizeof number == sizeof(double)) bound_piece(columns, i, all);
-  };
+  Gathered all;
   for (const Run& run : runs_) {
     const auto of_knots = [&](KnotColumn column) { return knots_.col(column).data() + run.first_knot; };
     const auto of_pieces = [&](PieceColumn column) { return pieces_.col(column).data() + run.first_piece; };
@@ -155,11 +174,16 @@ void Interpolant::bound_pieces() {
                              of_pieces(kSecond),      of_pieces(kThird),           of_pieces(kLowest),
                              of_pieces(kHighest),     of_pieces(kSlowest),         of_pieces(kFastest),
                              of_pieces(kSpeed),       of_pieces(kMostAcceleration)};
-    for_pairs(run.piece_count, [&](auto number, std::size_t i) { bound(columns, number, i); });
+    with_wide_registers([&] {
+      Gathered so_far = all;
+      for_lanes(run.piece_count, [&]<typename Number>(std::size_t i)
+                                     [[gnu::always_inline]] { bound_piece<Number>(columns, i, so_far); });
+      all = so_far;
+    });
   }
-  position_range_ = {lesser(all.lowest, least_of(pairs.lowest)), greater(all.highest, most_of(pairs.highest))};
-  velocity_range_ = {lesser(all.slowest, least_of(pairs.slowest)), greater(all.fastest, most_of(pairs.fastest))};
-  if (!(all.doubt + pairs.doubt[0] + pairs.doubt[1] == 0.0)) overflow();
+  position_range_ = {least_of(all.lowest), most_of(all.highest)};
+  velocity_range_ = {least_of(all.slowest), most_of(all.fastest)};
+  if (!(sum_of(all.doubt) == 0.0)) overflow();
 }
 
 /// Nothing is proven of pieces with numbers that are not finite, nor of all together.
@@ -203,26 +227,31 @@ Quintic Interpolant::piece(std::size_t index) const {
   return {knot(before), knot(before + 1)};
 }
 
-/// The last piece that begins by a time, or the first one. Most motions have pieces of nearly the same duration: they
-/// tell where to look first, and from there in steps twice as long each time.
+/// The last piece that begins by a time, or the first one. Pieces of a run mostly have nearly the same duration: that
+/// tells where to look first, and from there in steps twice as long each time.
 std::size_t Interpolant::piece_at(double time) const {
   const std::span<const double> starts = of_pieces(kStart);
-  const double part = (time - starts.front()) / (times().back() - starts.front());
-  const std::size_t last = piece_count_ - 1;
+  std::size_t run = runs_.size() - 1;
+  while (run > 0 && !(starts[runs_[run].first_piece] <= time)) --run;
+  const auto [first_knot, first, count] = runs_[run];
+  const double begin = times()[first_knot];
+  const double part = (time - begin) / (times()[first_knot + count] - begin);
+  const std::size_t end = first + count;
   // Written so that what is not a number leads to the first piece.
-  const std::size_t guess = !(part > 0.0) ? 0
-                            : part >= 1.0 ? last
-                                          : static_cast<std::size_t>(part * static_cast<double>(piece_count_));
-  std::size_t low = std::min(guess, last);
+  const std::size_t guess = !(part > 0.0) ? first
+                            : part >= 1.0 ? end - 1
+                                          : first + static_cast<std::size_t>(part * static_cast<double>(count));
+  std::size_t low = std::min(guess, end - 1);
   std::size_t high = low + 1;
-  for (std::size_t step = 1; low > 0 && starts[low] > time; step *= 2) {
+  for (std::size_t step = 1; low > first && starts[low] > time; step *= 2) {
     high = low;
-    low -= std::min(low, step);
+    low -= std::min(low - first, step);
   }
-  for (std::size_t step = 1; high <= last && starts[high] <= time; step *= 2) {
+  for (std::size_t step = 1; high < end && starts[high] <= time; step *= 2) {
     low = high;
-    high = std::min(high + step, last + 1);
+    high = std::min(high + step, end);
   }
+  if (high == low + 1) return low;
   const auto at = [&](std::size_t index) { return starts.begin() + static_cast<std::ptrdiff_t>(index); };
   const auto after = std::upper_bound(at(low), at(high), time);
   return after == at(low) ? low : static_cast<std::size_t>(after - starts.begin()) - 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "core/verification/interpolant.h"
 #include "core/verification/sentence.h"
@@ -12,8 +14,6 @@ namespace dualarm {
 namespace {
 
 bool finite(const Knot& knot) {
-  // A sum that is finite has finite parts.
-  if (std::isfinite(knot.time + knot.position + knot.velocity + knot.acceleration + knot.torque)) return true;
   return std::isfinite(knot.time) && std::isfinite(knot.position) && std::isfinite(knot.velocity) &&
          std::isfinite(knot.acceleration) && std::isfinite(knot.torque);
 }
@@ -22,55 +22,75 @@ Violation disorder(const ArmTrajectory& motion, double time, std::string explana
   return {ViolationKind::kKnotOrder, std::move(explanation), motion.arm, time, 0.0, 0.0};
 }
 
-std::optional<Violation> find_disorder(const ArmTrajectory& motion) {
+/// What is wrong with the times of two knots that are closer than a piece may be.
+std::optional<Violation> find_disorder(const ArmTrajectory& motion, std::size_t k) {
+  const Knot& before = motion.knots[k - 1];
+  const Knot& after = motion.knots[k];
+  if (after.time < before.time) {
+    return disorder(motion, after.time,
+                    sentence("time of ", motion.arm, " runs backwards at knot ", k, ": ", before.time, " s, then ",
+                             after.time, " s"));
+  }
+  if (share_a_time(before, after)) return std::nullopt;
+  return disorder(
+      motion, after.time,
+      sentence("knots ", k - 1, " and ", k, " of ", motion.arm, " at ", after.time, " s are ", after.time - before.time,
+               " s apart; knots share a time or are at least ", kShortestPiece, " s apart"));
+}
+
+/// The jumps of position and velocity where knots share a time, all together.
+struct Jumps {
+  double way = 0.0;
+  double change = 0.0;
+  std::optional<Violation> too_much;
+
+  void add(const ArmTrajectory& motion, const Knot& before, const Knot& after) {
+    way += std::abs(after.position - before.position);
+    change += std::abs(after.velocity - before.velocity);
+    const double jump = std::max(way, change);
+    if (jump <= kJumpTolerance || too_much) return;
+    too_much = {ViolationKind::kContinuity,
+                sentence("jumps of position or velocity of ", motion.arm, " between knots that share a time reach ",
+                         jump, " at ", before.time, " s; together they may be ", kJumpTolerance),
+                motion.arm,
+                before.time,
+                jump,
+                kJumpTolerance};
+  }
+};
+
+/// The first knot from one on (not the first of all) that is not just finite and a piece after the one before.
+std::size_t next_unusual(std::span<const Knot> knots, std::size_t k) {
+  for (; k < knots.size(); ++k) {
+    const Knot& knot = knots[k];
+    const double sum = (knot.time + knot.position) + (knot.velocity + knot.acceleration) + knot.torque;
+    const bool is_finite = sum - sum == 0.0;
+    const double gap = knot.time - knots[k - 1].time;
+    if (!is_finite || !(gap >= kShortestPiece) || share_a_time(knots[k - 1], knot)) break;
+  }
+  return k;
+}
+
+/// The first disorder, or else the first jump.
+std::optional<Violation> find_fault(const ArmTrajectory& motion) {
   const std::vector<Knot>& knots = motion.knots;
   if (knots.size() < 2) {
     return disorder(motion, 0.0, sentence(motion.arm, " has ", knots.size(), " knots; a motion has at least two"));
   }
-  for (std::size_t k = 0; k < knots.size(); ++k) {
+  Jumps jumps;
+  for (std::size_t k = finite(knots.front()) ? next_unusual(knots, 1) : 0; k < knots.size();
+       k = next_unusual(knots, k + 1)) {
     if (!finite(knots[k])) return disorder(motion, 0.0, sentence("knot ", k, " of ", motion.arm, " is not finite"));
-    if (k == 0) continue;
-    const double gap = knots[k].time - knots[k - 1].time;
-    if (gap >= kShortestPiece) continue;
-    if (gap < 0.0) {
-      return disorder(motion, knots[k].time,
-                      sentence("time of ", motion.arm, " runs backwards at knot ", k, ": ", knots[k - 1].time,
-                               " s, then ", knots[k].time, " s"));
+    if (!(knots[k].time - knots[k - 1].time >= kShortestPiece)) {
+      if (auto found = find_disorder(motion, k)) return found;
     }
-    if (!share_a_time(knots[k - 1], knots[k])) {
-      return disorder(motion, knots[k].time,
-                      sentence("knots ", k - 1, " and ", k, " of ", motion.arm, " at ", knots[k].time, " s are ", gap,
-                               " s apart; knots share a time or are at least ", kShortestPiece, " s apart"));
-    }
+    if (share_a_time(knots[k - 1], knots[k])) jumps.add(motion, knots[k - 1], knots[k]);
   }
   if (knots.front().time != 0.0) {
     return disorder(motion, knots.front().time,
                     sentence("knots of ", motion.arm, " begin at ", knots.front().time, " s and not at 0"));
   }
-  return std::nullopt;
-}
-
-std::optional<Violation> find_jump(const ArmTrajectory& motion) {
-  double way = 0.0;
-  double change = 0.0;
-  for (std::size_t k = 0; k + 1 < motion.knots.size(); ++k) {
-    const Knot& before = motion.knots[k];
-    const Knot& after = motion.knots[k + 1];
-    if (!share_a_time(before, after)) continue;
-    way += std::abs(after.position - before.position);
-    change += std::abs(after.velocity - before.velocity);
-    const double jump = std::max(way, change);
-    if (jump <= kJumpTolerance) continue;
-    return Violation{
-        ViolationKind::kContinuity,
-        sentence("jumps of position or velocity of ", motion.arm, " between knots that share a time reach ", jump,
-                 " at ", before.time, " s; together they may be ", kJumpTolerance),
-        motion.arm,
-        before.time,
-        jump,
-        kJumpTolerance};
-  }
-  return std::nullopt;
+  return std::move(jumps.too_much);
 }
 
 std::optional<Violation> compare(const std::string& arm, const char* end, const Knot& knot, const JointState& wanted) {
@@ -97,11 +117,7 @@ std::vector<Violation> check_knots(const Problem& problem, const Trajectory& tra
                             sentence("trajectory ", i, " is of '", motion.arm, "' where '", wanted, "' is expected"),
                             motion.arm, 0.0, 0.0, 0.0});
     }
-    if (const auto disorder_found = find_disorder(motion)) {
-      violations.push_back(*disorder_found);
-    } else if (const auto jump = find_jump(motion)) {
-      violations.push_back(*jump);
-    }
+    if (const auto fault = find_fault(motion)) violations.push_back(*fault);
   }
   if (!violations.empty()) return violations;
   const double first_end = trajectory[0].knots.back().time;

@@ -8,7 +8,7 @@
 #include <span>
 #include <variant>
 
-#include "core/verification/pair.h"
+#include "core/verification/lanes.h"
 #include "core/verification/peak.h"
 #include "core/verification/sentence.h"
 #include "core/verification/tolerances.h"
@@ -29,16 +29,20 @@ Quantity velocity_along(const Quintic& piece, double rounding) {
 
 /// The least and the largest of some values; neither is a number where one of them is none.
 Interval extremes_of(std::span<const double> values) {
-  Pair lowest = Pair() + values.front();
-  Pair highest = lowest;
-  Pair doubt = Pair();  // 0 while all are finite
-  for_pairs(values.size(), [&](auto number, std::size_t i) {
-    const Pair now = Pair() + load<decltype(number)>(values.data() + i);
-    lowest = lesser(lowest, now);
-    highest = greater(highest, now);
-    doubt = doubt + (now - now);
+  const auto extremes = with_wide_registers([&]() -> std::optional<Interval> {
+    Lanes lowest = widened(values.front());
+    Lanes highest = lowest;
+    Lanes doubt = Lanes();  // 0 while all are finite
+    for_lanes(values.size(), [&]<typename Number>(std::size_t i) [[gnu::always_inline]] {
+      const Lanes now = widened(load<Number>(values.data() + i));
+      lowest = lesser<Lanes>(lowest, now);
+      highest = greater<Lanes>(highest, now);
+      doubt = doubt + (now - now);
+    });
+    if (sum_of(doubt) == 0.0) return Interval{least_of(lowest), most_of(highest)};
+    return std::nullopt;
   });
-  if (doubt[0] + doubt[1] == 0.0) return {least_of(lowest), most_of(highest)};
+  if (extremes) return *extremes;
   const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
   return {all.minCoeff<Eigen::PropagateNaN>(), all.maxCoeff<Eigen::PropagateNaN>()};
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/verification/pair.h"
+#include "core/verification/lanes.h"
 #include "core/verification/sines.h"
 
 namespace dualarm {
@@ -18,7 +18,8 @@ constexpr double kInterpolationPart = 1.0 / 46080.0;
 /// v, a, j, s and c of order 1 to 5, all times that power of a time. Faa di Bruno:
 ///   6 c v + 15 s (a + v^2) + 10 j^2 + 60 j a v + 20 j v^3 + 15 a^3 + 45 a^2 v^2 + 15 a v^4 + v^6, or less.
 template <typename Number>
-Number most_sixth_of_sine(Number v, Number a, Number j, Number s, Number c) {
+[[gnu::always_inline]] inline Number most_sixth_of_sine(const Number& v, const Number& a, const Number& j,
+                                                        const Number& s, const Number& c) {
   const Number both = a + v * v;
   return 6.0 * c * v + 15.0 * s * both + j * (10.0 * j + 60.0 * v * both) + 15.0 * both * both * both;
 }
@@ -40,15 +41,15 @@ struct Columns {
 };
 
 /// What is gathered over all pieces.
-template <typename Number>
 struct Gathered {
-  Number lowest = Number() + kInfinity;
-  Number highest = Number() - kInfinity;
-  Number doubt = Number();  // 0 while all numbers are finite
+  Lanes lowest = Lanes() + kInfinity;
+  Lanes highest = Lanes() - kInfinity;
+  Lanes doubt = Lanes();  // 0 while all numbers are finite
 };
 
 template <typename Number>
-void bound_piece(const JointTorque& torque, const Columns& columns, std::size_t i, Gathered<Number>& all) {
+[[gnu::always_inline]] inline void bound_piece(const JointTorque& torque, const Columns& columns, std::size_t i,
+                                               Gathered& all) {
   const Number h = load<Number>(columns.duration + i);
   const Number second = load<Number>(columns.second + i);
   const Number third = load<Number>(columns.third + i);
@@ -61,9 +62,11 @@ void bound_piece(const JointTorque& torque, const Columns& columns, std::size_t 
 
   const Number most_sixth = most_sixth_of_sine<Number>(
       h * load<Number>(columns.speed + i), square * load<Number>(columns.most_acceleration + i),
-      3.0 * square * greater(greater(magnitude(first_step), magnitude(middle_step)), magnitude(last_step)),
-      6.0 * square * greater(magnitude(first_bend), magnitude(last_bend)),
-      6.0 * square * magnitude(last_bend - first_bend));
+      3.0 * square *
+          greater<Number>(greater<Number>(magnitude<Number>(first_step), magnitude<Number>(middle_step)),
+                          magnitude<Number>(last_step)),
+      6.0 * square * greater<Number>(magnitude<Number>(first_bend), magnitude<Number>(last_bend)),
+      6.0 * square * magnitude<Number>(last_bend - first_bend));
   const Number remainder = kInterpolationPart * std::abs(torque.gravity_amplitude()) * most_sixth;
 
   // Bernstein coefficients less the torque of the nearer knot: of the acceleration's from degree three to five, of the
@@ -83,22 +86,25 @@ void bound_piece(const JointTorque& torque, const Columns& columns, std::size_t 
   const Number start = load<Number>(columns.torque + i);
   const Number end = load<Number>(columns.torque + i + 1);
   const Number nothing = Number();
-  const Number lowest =
-      lesser(start + lesser(lesser(c1, c2), nothing), end + lesser(lesser(c3, c4), nothing)) - remainder;
-  const Number highest =
-      greater(start + greater(greater(c1, c2), nothing), end + greater(greater(c3, c4), nothing)) + remainder;
+  const Number lowest = lesser<Number>(start + lesser<Number>(lesser<Number>(c1, c2), nothing),
+                                       end + lesser<Number>(lesser<Number>(c3, c4), nothing)) -
+                        remainder;
+  const Number highest = greater<Number>(start + greater<Number>(greater<Number>(c1, c2), nothing),
+                                         end + greater<Number>(greater<Number>(c3, c4), nothing)) +
+                         remainder;
   const Number step = 0.2 * (end - start);
-  const Number departure = greater(greater(magnitude(c1 - step), magnitude(c2 - 2.0 * step)),
-                                   greater(magnitude(c3 + 2.0 * step), magnitude(c4 + step))) +
-                           remainder;
+  const Number departure =
+      greater<Number>(greater<Number>(magnitude<Number>(c1 - step), magnitude<Number>(c2 - 2.0 * step)),
+                      greater<Number>(magnitude<Number>(c3 + 2.0 * step), magnitude<Number>(c4 + step))) +
+      remainder;
   const Number sum = (start + end) + (c1 + c2) + (c3 + c4) + remainder;
   const Number doubt = sum - sum;  // not a number where one of them is not finite
-  store(columns.lowest + i, lowest + doubt);
-  store(columns.highest + i, highest + doubt);
-  store(columns.departure + i, departure + doubt);
-  all.lowest = lesser(all.lowest, lowest);
-  all.highest = greater(all.highest, highest);
-  all.doubt = all.doubt + doubt;
+  store<Number>(columns.lowest + i, lowest + doubt);
+  store<Number>(columns.highest + i, highest + doubt);
+  store<Number>(columns.departure + i, departure + doubt);
+  all.lowest = lesser<Lanes>(all.lowest, widened(lowest));
+  all.highest = greater<Lanes>(all.highest, widened(highest));
+  all.doubt = all.doubt + widened(doubt);
 }
 
 }  // namespace
@@ -121,21 +127,21 @@ void NeededTorque::take_knots(const JointTorque& torque, const Interpolant& moti
   double* const needed = knots_.col(0).data();
   double* const rate = knots_.col(1).data();
   double* const curvature = knots_.col(2).data();
-  for_pairs(positions.size(), [&](auto number, std::size_t k) {
-    using Number = decltype(number);
-    const Number v = load<Number>(velocity + k);
-    const Number a = load<Number>(acceleration + k);
-    const Number of_sine = torque.gravity_amplitude() * load<Number>(sine + k);
-    const Number of_cosine = torque.gravity_amplitude() * load<Number>(cosine + k);
-    store(needed + k, torque.inertia() * a + of_sine + torque.friction() * v);
-    store(rate + k, of_cosine * v + torque.friction() * a);
-    store(curvature + k, of_cosine * a - of_sine * v * v);
+  with_wide_registers([&] {
+    for_lanes(positions.size(), [&]<typename Number>(std::size_t k) [[gnu::always_inline]] {
+      const Number v = load<Number>(velocity + k);
+      const Number a = load<Number>(acceleration + k);
+      const Number of_sine = torque.gravity_amplitude() * load<Number>(sine + k);
+      const Number of_cosine = torque.gravity_amplitude() * load<Number>(cosine + k);
+      store<Number>(needed + k, torque.inertia() * a + of_sine + torque.friction() * v);
+      store<Number>(rate + k, of_cosine * v + torque.friction() * a);
+      store<Number>(curvature + k, of_cosine * a - of_sine * v * v);
+    });
   });
 }
 
 void NeededTorque::bound_pieces(const JointTorque& torque, const Interpolant& motion) {
-  Gathered<Pair> pairs;
-  Gathered<double> all;
+  Gathered all;
   for (const Interpolant::Run& run : motion.runs()) {
     const auto of_knots = [&](Eigen::Index column) { return knots_.col(column).data() + run.first_knot; };
     const auto of_pieces = [&](Eigen::Index column) { return pieces_.col(column).data() + run.first_piece; };
@@ -151,18 +157,15 @@ void NeededTorque::bound_pieces(const JointTorque& torque, const Interpolant& mo
                              of_pieces(0),
                              of_pieces(1),
                              of_pieces(2)};
-    for_pairs(run.piece_count, [&](auto number, std::size_t i) {
-      if constexpr (sizeof number == sizeof(Pair)) {
-        bound_piece(torque, columns, i, pairs);
-      } else {
-        bound_piece(torque, columns, i, all);
-      }
+    with_wide_registers([&] {
+      Gathered so_far = all;
+      for_lanes(run.piece_count, [&]<typename Number>(std::size_t i)
+                                     [[gnu::always_inline]] { bound_piece<Number>(torque, columns, i, so_far); });
+      all = so_far;
     });
   }
-  const bool is_finite = all.doubt + pairs.doubt[0] + pairs.doubt[1] == 0.0;
-  range_ = is_finite
-               ? Interval{lesser(all.lowest, least_of(pairs.lowest)), greater(all.highest, most_of(pairs.highest))}
-               : Interval{-kInfinity, kInfinity};
+  const bool is_finite = sum_of(all.doubt) == 0.0;
+  range_ = is_finite ? Interval{least_of(all.lowest), most_of(all.highest)} : Interval{-kInfinity, kInfinity};
 }
 
 }  // namespace dualarm

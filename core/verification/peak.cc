@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/verification/pair.h"
+#include "core/verification/lanes.h"
 #include "core/verification/tolerances.h"
 
 namespace dualarm {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -12,8 +11,8 @@ namespace dualarm {
 
 /// Whether two knots, in order of time, tell one state twice and have no motion between them.
 inline bool share_a_time(double before, double after) {
-  const double last_digits = kSameTimeDigits * std::numeric_limits<double>::epsilon() * after;
-  return after - before <= std::max(kSameTime, last_digits);
+  const double gap = after - before;
+  return gap <= kSameTime || gap <= kSameTimeDigits * std::numeric_limits<double>::epsilon() * after;
 }
 inline bool share_a_time(const Knot& before, const Knot& after) { return share_a_time(before.time, after.time); }
 

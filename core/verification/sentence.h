@@ -6,9 +6,10 @@
 
 namespace dualarm {
 
-/// Words and numbers (nine digits) in one string: the explanation of a violation.
+/// Words and numbers (nine digits) in one string: the explanation of a violation. Kept out of
+/// the code around it, which mostly has nothing to say.
 template <typename... Parts>
-std::string sentence(const Parts&... parts) {
+[[gnu::cold, gnu::noinline]] std::string sentence(const Parts&... parts) {
   std::ostringstream text;
   text << std::setprecision(9);
   (text << ... << parts);

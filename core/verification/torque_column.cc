@@ -6,7 +6,7 @@
 #include <span>
 #include <variant>
 
-#include "core/verification/pair.h"
+#include "core/verification/lanes.h"
 #include "core/verification/sentence.h"
 #include "core/verification/tolerances.h"
 
@@ -45,11 +45,9 @@ std::size_t index_of_largest(const Eigen::ArrayXd& numbers) {
 /// not a number.
 Eigen::ArrayXd mismatches(const std::vector<Knot>& knots, const NeededTorque& needed) {
   Eigen::ArrayXd off(static_cast<Eigen::Index>(knots.size()));
-  std::transform(knots.begin(), knots.end(), off.data(), [](const Knot& knot) { return knot.torque; });
-  for_pairs(knots.size(), [&off, at_knots = needed.at_knots().data()](auto number, std::size_t k) {
-    using Number = decltype(number);
-    store(off.data() + k, or_infinite(magnitude(load<Number>(off.data() + k) - load<Number>(at_knots + k))));
-  });
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    off[static_cast<Eigen::Index>(k)] = or_infinite(std::abs(knots[k].torque - needed.at_knots()[k]));
+  }
   return off;
 }
 
@@ -60,10 +58,11 @@ Eigen::ArrayXd residuals(const NeededTorque& needed, const Eigen::ArrayXd& misma
     const double* const off = mismatches.data() + run.first_knot;
     const double* const departure = needed.departures_from_chord().data() + run.first_piece;
     double* const residual = residuals.data() + run.first_piece;
-    for_pairs(run.piece_count, [=](auto number, std::size_t i) {
-      using Number = decltype(number);
-      const Number of_knots = greater(load<Number>(off + i), load<Number>(off + i + 1));
-      store(residual + i, or_infinite(load<Number>(departure + i)) + of_knots);
+    with_wide_registers([=] {
+      for_lanes(run.piece_count, [=]<typename Number>(std::size_t i) [[gnu::always_inline]] {
+        const Number of_knots = greater<Number>(load<Number>(off + i), load<Number>(off + i + 1));
+        store<Number>(residual + i, or_infinite<Number>(load<Number>(departure + i)) + of_knots);
+      });
     });
   }
   return residuals;
@@ -98,8 +97,8 @@ struct WorstKnot {
 
 WorstKnot worst_knot(const Arm& arm, const Interpolant& motion, const Eigen::ArrayXd& mismatches) {
   if (const auto* constant = std::get_if<Interval>(&arm.torque)) {
-    const std::size_t worst = index_of_largest(mismatches);
-    return {worst, mismatches[static_cast<Eigen::Index>(worst)] / constant->length()};
+    const double share = mismatches.maxCoeff() / constant->length();
+    return {share > kTorqueColumnTolerance ? index_of_largest(mismatches) : 0, share};
   }
   WorstKnot worst;
   for (std::size_t k = 0; k < motion.times().size(); ++k) {

@@ -5,7 +5,6 @@
 #include <signal.h>
 
 #include <fstream>
-#include <future>
 #include <sstream>
 
 #include "server/request/requests.h"
@@ -102,22 +101,22 @@ TEST(Server, FinishesARunningSearchWhileItDrains) {
   ServerProcess process({"--drain-seconds", "120"});
   const std::string address = process.wait_for_address();
   ASSERT_NE(address, "") << process.log();
-  wire::PlanMotionRequest request = paper_request();
-  request.mutable_options()->add_methods(wire::METHOD_STATE_TIME);
-  request.mutable_options()->mutable_planning_budget()->set_seconds(2);
-  const auto channel = channel_to(address);
-  const auto stub = wire::PlanningService::NewStub(channel);
+  wire::PlanMotionStreamRequest request;
+  *request.mutable_request() = paper_request();
+  request.mutable_request()->mutable_options()->add_methods(wire::METHOD_STATE_TIME);
+  request.mutable_request()->mutable_options()->mutable_planning_budget()->set_seconds(2);
+  const auto stub = wire::PlanningService::NewStub(channel_to(address));
   grpc::ClientContext context;
-  wire::PlanMotionResponse response;
-  std::promise<grpc::Status> answer;
-  stub->async()->PlanMotion(&context, &request, &response,
-                            [&answer](grpc::Status status) { answer.set_value(std::move(status)); });
-  EXPECT_EQ(health_of(channel, kService), 1);  // on the same connection: the call before it has arrived
+  const auto reader = stub->PlanMotionStream(&context, request);
+  wire::PlanMotionStreamResponse event;
+  ASSERT_TRUE(reader->Read(&event)) << process.log();  // it is being worked on
   process.signal(SIGTERM);
-  const grpc::Status status = answer.get_future().get();
+  while (reader->Read(&event)) continue;
+  const grpc::Status status = reader->Finish();
   EXPECT_TRUE(status.ok()) << status.error_message();
+  EXPECT_TRUE(event.outcome().has_plan());
   EXPECT_EQ(process.wait_for_exit(), 0);
-  EXPECT_LT(process.log().find("draining"), process.log().find("PlanMotion OK")) << process.log();
+  EXPECT_LT(process.log().find("draining"), process.log().find("PlanMotionStream OK")) << process.log();
 }
 
 TEST(Server, LogsRegionsThatTakeTooLong) {
