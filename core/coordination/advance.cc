@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "geometry/clearance.h"
 #include "geometry/support.h"
@@ -16,6 +17,8 @@ constexpr int kMostSteps = 400;
 constexpr double kJustInside = 1.0 - 1e-9;
 /// Chords and halvings by which the length of one step is sought; each can only be too short.
 constexpr int kChords = 4;
+/// Tangents by which a stretch of collision is sought, likewise.
+constexpr int kTangents = 4;
 
 /// Sizes of two bodies from which on the way between their centres is as good as that between nearest points.
 constexpr double kAfar = 2.0;
@@ -86,10 +89,41 @@ double stretch_of(const Gap& gap, double longest) {
   return good;
 }
 
+/// How two points are apart as one of them goes on its way: at most |way + rate t| + bend t^2 / 2.
+struct PointsApart {
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();   ///< m
+  Eigen::Vector3d rate = Eigen::Vector3d::Zero();  ///< m per unit of the parameter
+  double bend = 0.0;                               ///< m per unit squared
+
+  double at(double parameter) const { return (way + parameter * rate).norm() + 0.5 * bend * parameter * parameter; }
+
+  double slope(double parameter) const {
+    const Eigen::Vector3d now = way + parameter * rate;
+    return (now.isZero(0.0) ? rate.norm() : now.dot(rate) / now.norm()) + bend * parameter;
+  }
+
+  /// As long (of the parameter, at most `longest`) as they are proven to be within a distance. What bounds them is
+  /// convex: it passes the distance once, later than its chord from the start does and earlier than its tangents do.
+  double are_within(double distance, double longest) const {
+    const double room = distance - at(0.0);
+    if (!(room > 0.0)) return 0.0;
+    if (at(longest) <= distance) return longest;
+    const double closing = slope(0.0) + std::sqrt(slope(0.0) * slope(0.0) + 2.0 * bend * room);
+    double beyond = closing > 0.0 ? std::min(longest, 2.0 * room / closing) : longest;
+    for (int i = 0; i < kTangents; ++i) beyond -= std::max(0.0, at(beyond) - distance) / slope(beyond);
+    return std::min(beyond, beyond * room / (at(beyond) - at(0.0)));
+  }
+};
+
 class Advance {
  public:
   Advance(const Shape& fixed, const Wanderer& moving, double distance, Interval window)
-      : fixed_(fixed), moving_(moving), distance_(distance), window_(window) {}
+      : fixed_(fixed),
+        moving_(moving),
+        distance_(distance),
+        window_(window),
+        are_capsules_(std::holds_alternative<Capsule>(fixed) &&
+                      std::holds_alternative<Capsule>(moving.shape_at(window.lower))) {}
 
   std::vector<Interval> run() const {
     std::vector<Interval> found;
@@ -152,24 +186,45 @@ class Advance {
     return from;
   }
 
-  /// The first parameter after a collision that is seen to be free, by looking; beyond the window if none is.
+  /// The first parameter after a collision that is seen to be free, by looking; beyond the window if none is. Between
+  /// looks the bodies are proven to collide, but for short steps over the end of what can be proven; these grow where
+  /// the end is not met for long.
   double next_free(double from) const {
-    const Screw screw = moving_.screw_at(from);
-    const double turning = screw.turning.norm();
-    while (true) {
-      // The distance to convex bodies that do not turn has no second minimum.
-      const double step = turning > 0.0 ? kGap / turning : std::numeric_limits<double>::infinity();
-      const double next = std::min(from + step, window_.upper);
+    const double turning = moving_.screw_at(from).turning.norm();
+    // The distance to convex bodies that do not turn has no second minimum.
+    const double longest = turning > 0.0 ? kGap / turning : std::numeric_limits<double>::infinity();
+    const bool is_proven = are_capsules_ && turning > 0.0;
+    double least = is_proven ? kLeastGap : longest;
+    for (int step = 0;; ++step) {
+      if (step > kMostSteps) least = std::min(2.0 * least, longest);
+      const double proven = is_proven ? collides_for(from, window_.upper - from) : 0.0;
+      const double next = std::min(from + std::max(proven, least), window_.upper);
       if (look(next, 1.0, 0.0).slack > 0.0) return next;
       if (next == window_.upper) return std::numeric_limits<double>::infinity();
       from = next;
     }
   }
 
+  /// How far from a parameter on two capsules go on to collide: at least as long as two points of their axes, the
+  /// nearest ones now, are closer than their surfaces may be.
+  double collides_for(double parameter, double longest) const {
+    Capsule its = std::get<Capsule>(fixed_);
+    Capsule others = std::get<Capsule>(moving_.shape_at(parameter));
+    const double together = its.radius + others.radius + distance_;
+    its.radius = others.radius = 0.0;
+    const Clearance axes = clearance(its, others);
+    const Screw screw = moving_.screw_at(parameter);
+    const Eigen::Vector3d turned = screw.turning.cross(axes.point_on_second - screw.origin);
+    const PointsApart points = {axes.point_on_second - axes.point_on_first, screw.velocity + turned,
+                                screw.turning.norm() * turned.norm()};
+    return points.are_within(together, longest);
+  }
+
   const Shape& fixed_;
   const Wanderer& moving_;
   double distance_;
   Interval window_;
+  bool are_capsules_;
 };
 
 }  // namespace

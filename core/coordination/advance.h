@@ -28,12 +28,14 @@ class Wanderer {
 /// The parameters in `window` at which a wanderer comes closer than `distance` (m, >= 0) to a fixed shape: sorted
 /// disjoint intervals, never too few. Free stretches are proven by advancing along them: planes between the bodies
 /// bound the distance over a whole step, to second order, so that steps shrink to kLastStep of the parameter in front
-/// of a collision and never leap it (B. Mirtich's conservative advancement with Newton's speed). Within a stretch that
-/// collides, gaps during which the body turns by less than kGap rad may be missed.
+/// of a collision and never leap it (B. Mirtich's conservative advancement with Newton's speed). Stretches that collide
+/// are proven in the same way between capsules, and gaps of less than some kLeastGap may be missed; between other
+/// shapes it is gaps during which the body turns by less than kGap rad.
 std::vector<Interval> colliding_parameters(const Shape& fixed, const Wanderer& moving, double distance,
                                            Interval window);
 
 inline constexpr double kLastStep = 1e-10;  ///< rad or s: ends lie no farther outside
+inline constexpr double kLeastGap = 1e-9;   ///< rad or s
 inline constexpr double kGap = 1e-2;        ///< rad
 
 }  // namespace dualarm

@@ -14,7 +14,8 @@ namespace dualarm {
 
 /// The set of joint positions (theta1, theta2), rad, at which the two arms with all they carry come closer than a
 /// clearance. Slices are in closed form for upright bodies (planes may differ in height), and traced with a proof for
-/// pairs with one that is not: then they are a superset, with ends to 1e-10 rad and gaps of less than 0.01 rad closed.
+/// pairs with one that is not: then they are a superset, with ends to 1e-10 rad and the shortest gaps closed (kGap,
+/// kLeastGap between capsules).
 /// With RegionModel::kPaper the paper's conservative set R_c is added. Theory, section 2 [paper, figure 2].
 class ForbiddenSet {
  public:

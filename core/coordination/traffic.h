@@ -18,7 +18,7 @@ class Traffic final : public Meetings {
 
   /// Times (s since the start of the plan, from 0 on) at which the arm, standing at a position (rad), is too close to
   /// an object. Exact for objects that do not turn; of others gaps may be missed during which they turn by less than
-  /// kGap.
+  /// kGap, or than kLeastGap where both are capsules.
   IntervalList times_at(double position) const override { return times(position, 0.0); }
   IntervalList times_over(Interval positions) const override {
     return times(0.5 * (positions.lower + positions.upper), 0.5 * positions.length());

@@ -11,7 +11,7 @@ namespace {
 
 /// What the last terms may be of the first two, and how many are looked at: symmetry lets some vanish, such as all but
 /// each fourth of a pendulum that starts at the height of its joint.
-constexpr double kLeftOut = 1e-17;
+constexpr double kLeftOut = 1e-16;
 constexpr std::size_t kLastTerms = 4;
 
 }  // namespace
