@@ -34,20 +34,19 @@ constexpr int kPatience = 4;
 /// evaluations that one of them, once there is a plan at all, and the shortening of what it found may take.
 constexpr int kTrees = 4;
 constexpr double kTreeShare = 0.04;
-constexpr double kFirstRefinementShare = 0.05;
+constexpr double kFirstRefinementShare = 0.03;
 
 /// Simple plans that are drawn before any tree: the part of the evaluations that they may take, and how many are
 /// shortened.
 constexpr double kFreshShare = 0.08;
 constexpr std::size_t kFresh = 2;
 
-/// Afterwards plans that differ compete: how many of the best are shortened on, and the part of the evaluations that
-/// each may take. The best one has what is left.
-struct Round {
-  std::size_t contenders;
-  double share;
-};
-constexpr std::array<Round, 2> kRounds = {{{3, 0.05}, {2, 0.1}}};
+/// Afterwards plans that differ compete in turns of such a part of the evaluations: each is that of the best one which
+/// became shorter in its last turn, since the best of all may have come to the end of its way round. How many of the
+/// best take part, and the last part of the evaluations, which is the best one's in any case.
+constexpr std::size_t kInTurn = 4;
+constexpr double kTurnShare = 0.04;
+constexpr double kLastShare = 0.06;
 
 /// Plans whose durations differ by no more than this part went the same way round, as a rule.
 constexpr double kSameGain = 1e-3;
@@ -76,6 +75,12 @@ double horizon(const Systems& systems, double settled_time) {
   const double free = std::isfinite(way) && way > 0.0 ? kHorizonFactor * way : kHorizonWithoutWay;
   return free + std::max(0.0, settled_time);
 }
+
+/// A plan, and whether it hardly became shorter when it was shortened last.
+struct Contender {
+  Refinement plan;
+  bool is_stuck = false;
+};
 
 /// One search: its problem put to OMPL, and the best found so far.
 class Search {
@@ -106,10 +111,7 @@ class Search {
       if (!found && result_.evaluation_count == before) break;  // nothing starts here
       if (found) enter(std::move(*found));
     }
-    for (const Round& round : kRounds) {
-      for (Refinement* contender : best_contenders(round.contenders)) shorten(*contender, share(round.share));
-    }
-    if (!contenders_.empty()) shorten(*best_contenders(1).front(), left());
+    compete();
     if (best_) {
       result_.schedule = best_->schedule();
       result_.duration = best_->duration();
@@ -156,36 +158,58 @@ class Search {
       result_.first_duration = plan.duration();
       found_after_ = result_.evaluation_count;
     }
-    contenders_.emplace_back(systems_, proof_, std::move(plan), plan_rules(), random_, budget_);
-    take(contenders_.back());
+    contenders_.push_back({Refinement(systems_, proof_, std::move(plan), plan_rules(), random_, budget_)});
+    take(contenders_.back().plan);
     shorten(contenders_.back(), share(kFirstRefinementShare));
   }
 
   /// The fastest ones that differ, the fastest first.
-  std::vector<Refinement*> best_contenders(std::size_t count) {
-    std::vector<Refinement*> sorted;
-    for (Refinement& contender : contenders_) sorted.push_back(&contender);
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Refinement* left, const Refinement* right) {
-      return left->duration() < right->duration();
+  std::vector<Contender*> best_contenders(std::size_t count) {
+    std::vector<Contender*> sorted;
+    for (Contender& contender : contenders_) sorted.push_back(&contender);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Contender* left, const Contender* right) {
+      return left->plan.duration() < right->plan.duration();
     });
-    const auto is_like = [](const Refinement* left, const Refinement* right) {
-      return right->duration() < left->duration() * (1.0 + kSameGain);
+    const auto is_like = [](const Contender* left, const Contender* right) {
+      return right->plan.duration() < left->plan.duration() * (1.0 + kSameGain);
     };
     sorted.erase(std::unique(sorted.begin(), sorted.end(), is_like), sorted.end());
     sorted.resize(std::min(sorted.size(), count));
     return sorted;
   }
 
-  void shorten(Refinement& contender, int evaluations) {
+  void compete() {
+    if (contenders_.empty()) return;
+    while (!is_done() && left() > share(kLastShare)) {
+      const int before = result_.evaluation_count;
+      shorten(most_promising(), std::clamp(share(kTurnShare), 1, left() - share(kLastShare)));
+      if (result_.evaluation_count == before) break;  // it is at its bound
+    }
+    shorten(*best_contenders(1).front(), left());
+  }
+
+  /// The fastest of the best that became shorter when it was shortened last. If none did, all may try again.
+  Contender& most_promising() {
+    const std::vector<Contender*> best = best_contenders(kInTurn);
+    const auto next = std::find_if(best.begin(), best.end(), [](const Contender* one) { return !one->is_stuck; });
+    if (next != best.end()) return **next;
+    for (Contender& contender : contenders_) contender.is_stuck = false;
+    return *best.front();
+  }
+
+  void shorten(Contender& contender, int evaluations) {
     if (is_done()) return;
+    Refinement& plan = contender.plan;
     const int before = result_.evaluation_count;
-    const int own = contender.evaluations();
+    const int own = plan.evaluations();
+    const double longer = plan.duration();
     const auto told = [&] {
-      result_.evaluation_count = before + contender.evaluations() - own;
-      take(contender);
+      result_.evaluation_count = before + plan.evaluations() - own;
+      take(plan);
     };
-    contender.run(own + std::min(evaluations, left()), told);
+    plan.run(own + std::min(evaluations, left()), told);
     told();
+    contender.is_stuck = longer < plan.duration() * (1.0 + kSameGain);
     count(0);
   }
 
@@ -273,9 +297,9 @@ class Search {
   Arrivals arrivals_;
   double least_ = 0.0;  ///< s, that no plan is below
   Random random_;
-  std::deque<Refinement> contenders_;  ///< plans that go different ways round, each as short as it has become
-  std::optional<Itinerary> best_;      ///< faster than what was known
-  int found_after_ = 0;                ///< evaluations, until there was a plan
+  std::deque<Contender> contenders_;  ///< plans that go different ways round, each as short as it has become
+  std::optional<Itinerary> best_;     ///< faster than what was known
+  int found_after_ = 0;               ///< evaluations, until there was a plan
   double told_ = kInfinity;
   SearchResult result_;
 };

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "server/logging/log_format.h"
 
@@ -13,29 +14,44 @@ namespace {
 
 constexpr double kMillisecondsInSecond = 1e3;
 
+using Line = fmt::memory_buffer;
+using Value = std::variant<std::string_view, double, std::int64_t>;
+
+Value value_of(const LogField& field) {
+  return std::visit([](const auto& value) -> Value { return value; }, field.value);
+}
+
+/// Calls visit(key, value) for each field of a report.
+template <typename Visit>
+void for_each_field(const CallReport& report, Visit visit) {
+  visit("request_id", Value(report.request_id));
+  if (!report.caller.empty()) visit("caller", Value(report.caller));
+  visit("total_ms", Value(std::round(report.total_seconds * kMillisecondsInSecond * 1e3) / 1e3));
+  for (const LogField& field : report.notes) visit(field.key, value_of(field));
+}
+
 // RFC 8259 knows no infinity.
-std::string json_value(const LogField& field) {
-  if (const auto* text = std::get_if<std::string>(&field.value)) return json_string(*text);
-  if (const auto* count = std::get_if<std::int64_t>(&field.value)) return std::to_string(*count);
-  const double number = std::get<double>(field.value);
-  return std::isfinite(number) ? fmt::format("{:.9g}", number) : fmt::format("\"{}\"", number);
-}
-
-std::string text_value(const LogField& field) {
-  if (const auto* text = std::get_if<std::string>(&field.value)) {
-    const bool plain = !text->empty() && text->find_first_of(" \"=\\") == std::string::npos;
-    return plain ? *text : json_string(*text);
+void append_json(const Value& value, Line& line) {
+  const auto out = std::back_inserter(line);
+  if (const auto* text = std::get_if<std::string_view>(&value)) {
+    fmt::format_to(out, "{}", json_string(*text));
+  } else if (const auto* number = std::get_if<double>(&value)) {
+    std::isfinite(*number) ? fmt::format_to(out, "{:.9g}", *number) : fmt::format_to(out, "\"{}\"", *number);
+  } else {
+    fmt::format_to(out, "{}", std::get<std::int64_t>(value));
   }
-  if (const auto* count = std::get_if<std::int64_t>(&field.value)) return std::to_string(*count);
-  return fmt::format("{:.9g}", std::get<double>(field.value));
 }
 
-std::vector<LogField> fields_of(const CallReport& report) {
-  std::vector<LogField> fields = {{"request_id", report.request_id}};
-  if (!report.caller.empty()) fields.push_back({"caller", report.caller});
-  fields.push_back({"total_ms", std::round(report.total_seconds * kMillisecondsInSecond * 1e3) / 1e3});
-  fields.insert(fields.end(), report.notes.begin(), report.notes.end());
-  return fields;
+void append_text(const Value& value, Line& line) {
+  const auto out = std::back_inserter(line);
+  if (const auto* text = std::get_if<std::string_view>(&value)) {
+    const bool plain = !text->empty() && text->find_first_of(" \"=\\") == std::string_view::npos;
+    plain ? fmt::format_to(out, "{}", *text) : fmt::format_to(out, "{}", json_string(*text));
+  } else if (const auto* number = std::get_if<double>(&value)) {
+    fmt::format_to(out, "{:.9g}", *number);
+  } else {
+    fmt::format_to(out, "{}", std::get<std::int64_t>(value));
+  }
 }
 
 }  // namespace
@@ -51,18 +67,24 @@ std::string_view code_name(grpc::StatusCode code) {
 }
 
 std::string text_of(const CallReport& report) {
-  std::string line = fmt::format("{} {}", report.method, code_name(report.code));
-  for (const LogField& field : fields_of(report)) line += fmt::format(" {}={}", field.key, text_value(field));
-  return line;
+  Line line;
+  fmt::format_to(std::back_inserter(line), "{} {}", report.method, code_name(report.code));
+  for_each_field(report, [&line](std::string_view key, const Value& value) {
+    fmt::format_to(std::back_inserter(line), " {}=", key);
+    append_text(value, line);
+  });
+  return fmt::to_string(line);
 }
 
 std::string json_members_of(const CallReport& report) {
-  std::string members = fmt::format("\"message\":\"call\",\"method\":{},\"code\":\"{}\"", json_string(report.method),
-                                    code_name(report.code));
-  for (const LogField& field : fields_of(report)) {
-    members += fmt::format(",{}:{}", json_string(field.key), json_value(field));
-  }
-  return members;
+  Line line;
+  fmt::format_to(std::back_inserter(line), "\"message\":\"call\",\"method\":{},\"code\":\"{}\"",
+                 json_string(report.method), code_name(report.code));
+  for_each_field(report, [&line](std::string_view key, const Value& value) {
+    fmt::format_to(std::back_inserter(line), ",{}:", json_string(key));
+    append_json(value, line);
+  });
+  return fmt::to_string(line);
 }
 
 CallLog::CallLog(bool json) : json_(json) {

@@ -4,6 +4,7 @@
 #include <spdlog/details/log_msg.h>
 #include <spdlog/details/os.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace dualarm {
@@ -25,6 +26,15 @@ std::string timestamp(spdlog::log_clock::time_point time) {
 std::string_view view(const spdlog::string_view_t& text) { return {text.data(), text.size()}; }
 
 bool is_control(unsigned char character) { return character < 0x20 || character == 0x7f; }
+
+// Bytes of printable ASCII that a text begins with, but for some: most texts are nothing else.
+std::size_t plain_length(std::string_view text, std::string_view but_for) {
+  const auto is_plain = [&](unsigned char character) {
+    return character >= 0x20 && character < 0x7f &&
+           but_for.find(static_cast<char>(character)) == std::string_view::npos;
+  };
+  return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_plain) - text.begin());
+}
 
 // The escape of a control character; empty for all others.
 std::string escape(unsigned char character) {
@@ -62,6 +72,10 @@ std::size_t sequence_length(std::string_view text) {
 std::string json_string(std::string_view text) {
   std::string quoted = "\"";
   while (!text.empty()) {
+    const std::size_t plain = plain_length(text, "\"\\");
+    quoted += text.substr(0, plain);
+    text.remove_prefix(plain);
+    if (text.empty()) break;
     const char character = text.front();
     const std::size_t length = sequence_length(text);
     if (length == 0) {
@@ -81,9 +95,15 @@ std::string json_string(std::string_view text) {
 std::string on_one_line(std::string_view text) {
   std::string line;
   line.reserve(text.size());
-  for (const char character : text) {
+  while (!text.empty()) {
+    const std::size_t plain = plain_length(text, "");
+    line += text.substr(0, plain);
+    text.remove_prefix(plain);
+    if (text.empty()) break;
+    const char character = text.front();
     is_control(static_cast<unsigned char>(character)) ? line += escape(static_cast<unsigned char>(character))
                                                       : line += character;
+    text.remove_prefix(1);
   }
   return line;
 }
