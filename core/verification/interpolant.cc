@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 
 #include "core/verification/lanes.h"
@@ -109,29 +110,35 @@ template <typename Number>
   bound_rates(columns, i, h, all);
 }
 
-/// Writes the first four numbers of knots as columns, one after the other.
-[[gnu::always_inline]] inline void transpose(const std::vector<Knot>& knots, double* columns) {
+/// Time, position, velocity and acceleration of a knot.
+[[gnu::always_inline]] inline Lanes state_of(const Knot& knot) {
   static_assert(offsetof(Knot, time) == 0 && offsetof(Knot, acceleration) == (kLaneCount - 1) * sizeof(double));
+  Lanes state;
+  std::memcpy(&state, &knot, sizeof state);
+  return state;
+}
+
+/// Writes these of all knots as columns, one after the other.
+[[gnu::always_inline]] inline void transpose(const std::vector<Knot>& knots, double* columns) {
   const std::size_t count = knots.size();
-  const auto of_knot = [&](std::size_t k) __attribute__((always_inline)) { return load<Lanes>(&knots[k].time); };
   std::size_t k = 0;
   for (; k + kLaneCount <= count; k += kLaneCount) {
-    using Order [[gnu::vector_size(sizeof(Lanes))]] = long long;
-    constexpr Order kFirsts = {0, 4, 2, 6};
-    constexpr Order kSeconds = {1, 5, 3, 7};
-    constexpr Order kLower = {0, 1, 4, 5};
-    constexpr Order kUpper = {2, 3, 6, 7};
-    const Lanes a = of_knot(k), b = of_knot(k + 1), c = of_knot(k + 2), d = of_knot(k + 3);
-    const Lanes ab_even = __builtin_shuffle(a, b, kFirsts), ab_odd = __builtin_shuffle(a, b, kSeconds);
-    const Lanes cd_even = __builtin_shuffle(c, d, kFirsts), cd_odd = __builtin_shuffle(c, d, kSeconds);
-    store<Lanes>(columns + k, __builtin_shuffle(ab_even, cd_even, kLower));
-    store<Lanes>(columns + count + k, __builtin_shuffle(ab_odd, cd_odd, kLower));
-    store<Lanes>(columns + 2 * count + k, __builtin_shuffle(ab_even, cd_even, kUpper));
-    store<Lanes>(columns + 3 * count + k, __builtin_shuffle(ab_odd, cd_odd, kUpper));
+    const Lanes a = state_of(knots[k]);
+    const Lanes b = state_of(knots[k + 1]);
+    const Lanes c = state_of(knots[k + 2]);
+    const Lanes d = state_of(knots[k + 3]);
+    const Lanes ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const Lanes ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Lanes cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const Lanes cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    store<Lanes>(columns + k, __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5));
+    store<Lanes>(columns + count + k, __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5));
+    store<Lanes>(columns + 2 * count + k, __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7));
+    store<Lanes>(columns + 3 * count + k, __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7));
   }
   for (; k < count; ++k) {
-    const Lanes knot = of_knot(k);
-    for (std::size_t column = 0; column < kLaneCount; ++column) columns[column * count + k] = knot[column];
+    const Lanes state = state_of(knots[k]);
+    for (std::size_t column = 0; column < kLaneCount; ++column) columns[column * count + k] = state[column];
   }
 }
 
@@ -176,8 +183,9 @@ void Interpolant::bound_pieces() {
                              of_pieces(kSpeed),       of_pieces(kMostAcceleration)};
     with_wide_registers([&] {
       Gathered so_far = all;
-      for_lanes(run.piece_count, [&]<typename Number>(std::size_t i)
-                                     [[gnu::always_inline]] { bound_piece<Number>(columns, i, so_far); });
+      for_lanes(
+          run.piece_count, [&]<typename Number>(std::size_t i)
+                               __attribute__((always_inline)) { bound_piece<Number>(columns, i, so_far); });
       all = so_far;
     });
   }

@@ -33,12 +33,13 @@ Interval extremes_of(std::span<const double> values) {
     Lanes lowest = widened(values.front());
     Lanes highest = lowest;
     Lanes doubt = Lanes();  // 0 while all are finite
-    for_lanes(values.size(), [&]<typename Number>(std::size_t i) [[gnu::always_inline]] {
-      const Lanes now = widened(load<Number>(values.data() + i));
-      lowest = lesser<Lanes>(lowest, now);
-      highest = greater<Lanes>(highest, now);
-      doubt = doubt + (now - now);
-    });
+    for_lanes(
+        values.size(), [&]<typename Number>(std::size_t i) __attribute__((always_inline)) {
+          const Lanes now = widened(load<Number>(values.data() + i));
+          lowest = lesser<Lanes>(lowest, now);
+          highest = greater<Lanes>(highest, now);
+          doubt = doubt + (now - now);
+        });
     if (sum_of(doubt) == 0.0) return Interval{least_of(lowest), most_of(highest)};
     return std::nullopt;
   });

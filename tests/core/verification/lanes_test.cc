@@ -22,9 +22,10 @@ template <typename Number>
 
 [[gnu::always_inline]] inline void fill(const std::vector<double>& a, const std::vector<double>& b,
                                         std::vector<double>& results) {
-  for_lanes(a.size(), [&]<typename Number>(std::size_t i) [[gnu::always_inline]] {
-    store<Number>(&results[i], formula<Number>(load<Number>(&a[i]), load<Number>(&b[i])));
-  });
+  for_lanes(
+      a.size(), [&]<typename Number>(std::size_t i) __attribute__((always_inline)) {
+        store<Number>(&results[i], formula<Number>(load<Number>(&a[i]), load<Number>(&b[i])));
+      });
 }
 
 TEST(Lanes, EveryNumberIsVisited) {
