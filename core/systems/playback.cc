@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 namespace dualarm {
@@ -82,9 +83,8 @@ class Player {
       placed.end_time = std::clamp(motion.start_time + arc.end_time, now_, duration_);
       if (placed.end_time - now_ < kShortestArc) placed.end_time = now_;
       if (duration_ - placed.end_time < kShortestHold) placed.end_time = duration_;
-      const std::vector<Knot> knots = knots_along(motion.profile, arc, placed);
+      add_knots_along(motion.profile, arc, placed);
       played_.arcs.push_back(placed);
-      played_.knots.insert(played_.knots.end(), knots.begin(), knots.end());
       now_ = placed.end_time;
     }
   }
@@ -129,40 +129,41 @@ class Player {
     return rounding > kInterpolationError * scale ? 1 : 2;
   }
 
-  std::vector<Knot> knots_along(const Profile& profile, const Arc& arc, const Arc& placed) const {
+  void add_knots_along(const Profile& profile, const Arc& arc, const Arc& placed) {
+    const std::size_t first = played_.knots.size();
     int count = std::max(fewest(arc), static_cast<int>(std::ceil((arc.end_time - arc.start_time) / knot_period_)));
-    std::vector<Knot> knots = knots_along(profile, arc, placed, count);
-    double least = unfaithfulness(profile, arc, knots);
+    double least = place_knots(first, profile, arc, placed, count);
     // Where the states' own rounding is what is left, closer knots only magnify it.
     int vain = 0;
+    int kept = count;
     while (least > 1.0 && vain < kVainDoublings && 2 * count <= kMostIntervals) {
       count *= 2;
-      std::vector<Knot> closer = knots_along(profile, arc, placed, count);
-      const double now = unfaithfulness(profile, arc, closer);
+      const double now = place_knots(first, profile, arc, placed, count);
       vain = now < kGain * least || !std::isfinite(least) ? 0 : vain + 1;
       if (vain > 0) continue;
       least = now;
-      knots = std::move(closer);
+      kept = count;
     }
-    return knots;
+    if (kept != count) place_knots(first, profile, arc, placed, kept);
   }
 
-  std::vector<Knot> knots_along(const Profile& profile, const Arc& arc, const Arc& placed, int count) const {
+  /// Knots from the `first` one on, all that come after the knots before this arc, and how unfaithful they are.
+  double place_knots(std::size_t first, const Profile& profile, const Arc& arc, const Arc& placed, int count) {
     const double step = (placed.end_time - placed.start_time) / count;
-    const std::vector<JointState> states = profile.states_along(arc, count);
-    std::vector<Knot> knots(states.size());
+    played_.knots.resize(first);
     double steps = 0.0;
-    for (std::size_t i = 0; i < states.size(); ++i, ++steps) {
-      knots[i] = {placed.start_time + step * steps, states[i].position, states[i].velocity, 0.0, 0.0};
+    for (const JointState& state : profile.states_along(arc, count)) {
+      played_.knots.push_back({placed.start_time + step * steps++, state.position, state.velocity, 0.0, 0.0});
     }
-    knots.back().time = placed.end_time;
+    played_.knots.back().time = placed.end_time;
+    const std::span<Knot> knots = std::span(played_.knots).subspan(first);
     system_.drive(profile.extreme_on(arc), knots);
-    return knots;
+    return unfaithfulness(profile, arc, knots);
   }
 
   /// The largest part of what it may by which the quintic departs from the arc's acceleration half way between knots.
   /// Where the arc is smooth enough for all knots, only some tell whether they are on one arc.
-  double unfaithfulness(const Profile& profile, const Arc& arc, const std::vector<Knot>& knots) const {
+  double unfaithfulness(const Profile& profile, const Arc& arc, std::span<const Knot> knots) const {
     const std::optional<Extreme> extreme = profile.extreme_on(arc);
     const std::size_t stride = is_smooth(arc, knots) ? kSmoothStride : 1;
     double largest = 0.0;
@@ -181,7 +182,7 @@ class Player {
 
   /// Whether the bound on the arc's sixth derivative says that quintics keep to it between any two of its knots: half
   /// way they depart from its acceleration by that times h^4 / 1920.
-  bool is_smooth(const Arc& arc, const std::vector<Knot>& knots) const {
+  bool is_smooth(const Arc& arc, std::span<const Knot> knots) const {
     double speed = 0.0;
     double acceleration = 0.0;
     for (const Knot& knot : knots) {
