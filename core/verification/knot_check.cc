@@ -59,14 +59,16 @@ struct Jumps {
   }
 };
 
-/// The first knot from one on (not the first of all) that is not just finite and a piece after the one before.
-std::size_t next_unusual(std::span<const Knot> knots, std::size_t k) {
+/// The first knot from one on (not the first of all) that may not be just finite and a piece after the one before.
+/// `longest` (s): knots farther apart share no time.
+std::size_t next_unusual(std::span<const Knot> knots, double longest, std::size_t k) {
+  double before = knots[k - 1].time;
   for (; k < knots.size(); ++k) {
     const Knot& knot = knots[k];
     const double sum = (knot.time + knot.position) + (knot.velocity + knot.acceleration) + knot.torque;
     const bool is_finite = sum - sum == 0.0;
-    const double gap = knot.time - knots[k - 1].time;
-    if (!is_finite || !(gap >= kShortestPiece) || share_a_time(knots[k - 1], knot)) break;
+    if (!is_finite || !(knot.time - before > longest)) break;
+    before = knot.time;
   }
   return k;
 }
@@ -78,8 +80,10 @@ std::optional<Violation> find_fault(const ArmTrajectory& motion) {
     return disorder(motion, 0.0, sentence(motion.arm, " has ", knots.size(), " knots; a motion has at least two"));
   }
   Jumps jumps;
-  for (std::size_t k = finite(knots.front()) ? next_unusual(knots, 1) : 0; k < knots.size();
-       k = next_unusual(knots, k + 1)) {
+  // Of times that run backwards the last one is not the largest, but they are told in any case.
+  const double longest = std::max(kShortestPiece, longest_shared(knots.back().time));
+  for (std::size_t k = finite(knots.front()) ? next_unusual(knots, longest, 1) : 0; k < knots.size();
+       k = next_unusual(knots, longest, k + 1)) {
     if (!finite(knots[k])) return disorder(motion, 0.0, sentence("knot ", k, " of ", motion.arm, " is not finite"));
     if (!(knots[k].time - knots[k - 1].time >= kShortestPiece)) {
       if (auto found = find_disorder(motion, k)) return found;

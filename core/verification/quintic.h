@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -9,11 +10,13 @@
 
 namespace dualarm {
 
-/// Whether two knots, in order of time, tell one state twice and have no motion between them.
-inline bool share_a_time(double before, double after) {
-  const double gap = after - before;
-  return gap <= kSameTime || gap <= kSameTimeDigits * std::numeric_limits<double>::epsilon() * after;
+/// s: knots up to a time (s) that share one are no farther apart.
+inline double longest_shared(double time) {
+  return std::max(kSameTime, kSameTimeDigits * std::numeric_limits<double>::epsilon() * time);
 }
+
+/// Whether two knots, in order of time, tell one state twice and have no motion between them.
+inline bool share_a_time(double before, double after) { return after - before <= longest_shared(after); }
 inline bool share_a_time(const Knot& before, const Knot& after) { return share_a_time(before.time, after.time); }
 
 /// The motion between two knots: the polynomial of degree five with the position, velocity and acceleration of both.

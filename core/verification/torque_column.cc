@@ -44,10 +44,10 @@ std::size_t index_of_largest(const Eigen::ArrayXd& numbers) {
 /// How far (N m) the written torque is from the one that the motion needs, at each knot; infinite where one of them is
 /// not a number.
 Eigen::ArrayXd mismatches(const std::vector<Knot>& knots, const NeededTorque& needed) {
-  Eigen::ArrayXd off(static_cast<Eigen::Index>(knots.size()));
-  for (std::size_t k = 0; k < knots.size(); ++k) {
-    off[static_cast<Eigen::Index>(k)] = or_infinite(std::abs(knots[k].torque - needed.at_knots()[k]));
-  }
+  const std::span<const double> at_knots = needed.at_knots();
+  Eigen::ArrayXd off(static_cast<Eigen::Index>(at_knots.size()));
+  double* const first = off.data();
+  for (std::size_t k = 0; k < at_knots.size(); ++k) first[k] = or_infinite(std::abs(knots[k].torque - at_knots[k]));
   return off;
 }
 
