@@ -8,8 +8,8 @@ namespace dualarm {
 
 inline double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-/// All arguments one after another, numbers with six digits: the sentences of a refusal. Kept out of
-/// the code around it, which mostly has nothing to say.
+/// All arguments one after another, numbers with six digits: the sentences of a refusal. Kept out of the code around
+/// it, which mostly has nothing to say.
 template <class... Parts>
 [[gnu::cold, gnu::noinline]] std::string worded(const Parts&... parts) {
   std::ostringstream text;

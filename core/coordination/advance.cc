@@ -118,12 +118,7 @@ struct PointsApart {
 class Advance {
  public:
   Advance(const Shape& fixed, const Wanderer& moving, double distance, Interval window)
-      : fixed_(fixed),
-        moving_(moving),
-        distance_(distance),
-        window_(window),
-        are_capsules_(std::holds_alternative<Capsule>(fixed) &&
-                      std::holds_alternative<Capsule>(moving.shape_at(window.lower))) {}
+      : fixed_(fixed), moving_(moving), distance_(distance), window_(window) {}
 
   std::vector<Interval> run() const {
     std::vector<Interval> found;
@@ -193,7 +188,8 @@ class Advance {
     const double turning = moving_.screw_at(from).turning.norm();
     // The distance to convex bodies that do not turn has no second minimum.
     const double longest = turning > 0.0 ? kGap / turning : std::numeric_limits<double>::infinity();
-    const bool is_proven = are_capsules_ && turning > 0.0;
+    const bool is_proven = turning > 0.0 && std::holds_alternative<Capsule>(fixed_) &&
+                           std::holds_alternative<Capsule>(moving_.shape_at(from));
     double least = is_proven ? kLeastGap : longest;
     for (int step = 0;; ++step) {
       if (step > kMostSteps) least = std::min(2.0 * least, longest);
@@ -224,7 +220,6 @@ class Advance {
   const Wanderer& moving_;
   double distance_;
   Interval window_;
-  bool are_capsules_;
 };
 
 }  // namespace

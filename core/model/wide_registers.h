@@ -5,8 +5,8 @@ namespace dualarm {
 #if defined(__x86_64__)
 /// The same function, compiled once more with all that it calls, for processors with AVX2.
 template <typename Computation>
-[[gnu::target("avx2"), gnu::flatten, gnu::noinline]] auto compute_with_avx2(const Computation& computation) {
-  return computation();
+[[gnu::target("avx2"), gnu::flatten, gnu::noinline]] void compute_with_avx2(const Computation& computation) {
+  computation();
 }
 #endif
 
@@ -14,12 +14,12 @@ template <typename Computation>
 /// lane is rounded as it would be alone, and no product is fused with a sum. What is called must be small enough to be
 /// compiled in; vectors wider than two numbers must not be passed by value to anything that is not always inlined.
 template <typename Computation>
-auto with_wide_registers(const Computation& computation) {
+void with_wide_registers(const Computation& computation) {
 #if defined(__x86_64__)
   static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
   if (has_avx2) return compute_with_avx2(computation);
 #endif
-  return computation();
+  computation();
 }
 
 }  // namespace dualarm

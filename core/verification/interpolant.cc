@@ -181,13 +181,10 @@ void Interpolant::bound_pieces() {
                              of_pieces(kSecond),      of_pieces(kThird),           of_pieces(kLowest),
                              of_pieces(kHighest),     of_pieces(kSlowest),         of_pieces(kFastest),
                              of_pieces(kSpeed),       of_pieces(kMostAcceleration)};
-    with_wide_registers([&] {
-      Gathered so_far = all;
-      for_lanes(
-          run.piece_count, [&]<typename Number>(std::size_t i)
-                               __attribute__((always_inline)) { bound_piece<Number>(columns, i, so_far); });
-      all = so_far;
-    });
+    gather_lanes(
+        run.piece_count, all, [&]<typename Number>(std::size_t i, Gathered & so_far) __attribute__((always_inline)) {
+          bound_piece<Number>(columns, i, so_far);
+        });
   }
   position_range_ = {least_of(all.lowest), most_of(all.highest)};
   velocity_range_ = {least_of(all.slowest), most_of(all.fastest)};

@@ -65,12 +65,30 @@ inline double sum_of(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes
 /// Calls visit<Number>(i) for all numbers below a count: for four of them from i on, or for each where they are fewer.
 /// The last four may hold some of those before once more: to visit a number again has to do nothing new.
 template <typename Visit>
-[[gnu::always_inline]] inline void for_lanes(std::size_t count, const Visit& visit) {
+[[gnu::always_inline]] inline void visit_lanes(std::size_t count, const Visit& visit) {
   if (count < kLaneCount) {
     for (std::size_t i = 0; i < count; ++i) visit.template operator()<double>(i);
     return;
   }
   for (std::size_t i = 0; i < count; i += kLaneCount) visit.template operator()<Lanes>(std::min(i, count - kLaneCount));
+}
+
+/// The same in the widest registers. `visit` has to be always inlined.
+template <typename Visit>
+void for_lanes(std::size_t count, const Visit& visit) {
+  with_wide_registers([&] { visit_lanes(count, visit); });
+}
+
+/// The same with visit<Number>(i, all): what is gathered stays in registers on the way.
+template <typename Gathered, typename Visit>
+void gather_lanes(std::size_t count, Gathered& all, const Visit& visit) {
+  with_wide_registers([&] {
+    Gathered so_far = all;
+    visit_lanes(
+        count, [&]<typename Number>(std::size_t i)
+                   __attribute__((always_inline)) { visit.template operator()<Number>(i, so_far); });
+    all = so_far;
+  });
 }
 
 }  // namespace dualarm

@@ -29,21 +29,20 @@ Quantity velocity_along(const Quintic& piece, double rounding) {
 
 /// The least and the largest of some values; neither is a number where one of them is none.
 Interval extremes_of(std::span<const double> values) {
-  const auto extremes = with_wide_registers([&]() -> std::optional<Interval> {
-    Lanes lowest = widened(values.front());
-    Lanes highest = lowest;
-    Lanes doubt = Lanes();  // 0 while all are finite
-    for_lanes(
-        values.size(), [&]<typename Number>(std::size_t i) __attribute__((always_inline)) {
-          const Lanes now = widened(load<Number>(values.data() + i));
-          lowest = lesser<Lanes>(lowest, now);
-          highest = greater<Lanes>(highest, now);
-          doubt = doubt + (now - now);
-        });
-    if (sum_of(doubt) == 0.0) return Interval{least_of(lowest), most_of(highest)};
-    return std::nullopt;
-  });
-  if (extremes) return *extremes;
+  struct Gathered {
+    Lanes lowest;
+    Lanes highest;
+    Lanes doubt;  // 0 while all are finite
+  };
+  Gathered found = {widened(values.front()), widened(values.front()), Lanes()};
+  gather_lanes(
+      values.size(), found, [&]<typename Number>(std::size_t i, Gathered & so_far) __attribute__((always_inline)) {
+        const Lanes now = widened(load<Number>(values.data() + i));
+        so_far.lowest = lesser<Lanes>(so_far.lowest, now);
+        so_far.highest = greater<Lanes>(so_far.highest, now);
+        so_far.doubt = so_far.doubt + (now - now);
+      });
+  if (sum_of(found.doubt) == 0.0) return {least_of(found.lowest), most_of(found.highest)};
   const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
   return {all.minCoeff<Eigen::PropagateNaN>(), all.maxCoeff<Eigen::PropagateNaN>()};
 }

@@ -127,18 +127,16 @@ void NeededTorque::take_knots(const JointTorque& torque, const Interpolant& moti
   double* const needed = knots_.col(0).data();
   double* const rate = knots_.col(1).data();
   double* const curvature = knots_.col(2).data();
-  with_wide_registers([&] {
-    for_lanes(
-        positions.size(), [&]<typename Number>(std::size_t k) __attribute__((always_inline)) {
-          const Number v = load<Number>(velocity + k);
-          const Number a = load<Number>(acceleration + k);
-          const Number of_sine = torque.gravity_amplitude() * load<Number>(sine + k);
-          const Number of_cosine = torque.gravity_amplitude() * load<Number>(cosine + k);
-          store<Number>(needed + k, torque.inertia() * a + of_sine + torque.friction() * v);
-          store<Number>(rate + k, of_cosine * v + torque.friction() * a);
-          store<Number>(curvature + k, of_cosine * a - of_sine * v * v);
-        });
-  });
+  for_lanes(
+      positions.size(), [&]<typename Number>(std::size_t k) __attribute__((always_inline)) {
+        const Number v = load<Number>(velocity + k);
+        const Number a = load<Number>(acceleration + k);
+        const Number of_sine = torque.gravity_amplitude() * load<Number>(sine + k);
+        const Number of_cosine = torque.gravity_amplitude() * load<Number>(cosine + k);
+        store<Number>(needed + k, torque.inertia() * a + of_sine + torque.friction() * v);
+        store<Number>(rate + k, of_cosine * v + torque.friction() * a);
+        store<Number>(curvature + k, of_cosine * a - of_sine * v * v);
+      });
 }
 
 void NeededTorque::bound_pieces(const JointTorque& torque, const Interpolant& motion) {
@@ -158,13 +156,10 @@ void NeededTorque::bound_pieces(const JointTorque& torque, const Interpolant& mo
                              of_pieces(0),
                              of_pieces(1),
                              of_pieces(2)};
-    with_wide_registers([&] {
-      Gathered so_far = all;
-      for_lanes(
-          run.piece_count, [&]<typename Number>(std::size_t i)
-                               __attribute__((always_inline)) { bound_piece<Number>(torque, columns, i, so_far); });
-      all = so_far;
-    });
+    gather_lanes(
+        run.piece_count, all, [&]<typename Number>(std::size_t i, Gathered & so_far) __attribute__((always_inline)) {
+          bound_piece<Number>(torque, columns, i, so_far);
+        });
   }
   const bool is_finite = sum_of(all.doubt) == 0.0;
   range_ = is_finite ? Interval{least_of(all.lowest), most_of(all.highest)} : Interval{-kInfinity, kInfinity};

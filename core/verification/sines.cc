@@ -35,25 +35,20 @@ struct SmallAngle {
 
 /// Sines and cosines of neighbours from those of a middle one; false, and nothing, where they differ by too much.
 bool add_differences(const double* angle, std::size_t count, double middle, double* sine, double* cosine) {
-  const double farthest = with_wide_registers([=] {
-    Lanes most = Lanes();
-    for_lanes(
-        count, [ =, &most ]<typename Number>(std::size_t i) __attribute__((always_inline)) {
-          most = greater<Lanes>(most, widened(magnitude<Number>(load<Number>(angle + i) - middle)));
-        });
-    return most_of(most);
-  });
-  if (!(farthest <= kMostDifference)) return false;
+  Lanes farthest = Lanes();
+  gather_lanes(
+      count, farthest, [=]<typename Number>(std::size_t i, Lanes & so_far) __attribute__((always_inline)) {
+        so_far = greater<Lanes>(so_far, widened(magnitude<Number>(load<Number>(angle + i) - middle)));
+      });
+  if (!(most_of(farthest) <= kMostDifference)) return false;
   const double s = std::sin(middle);
   const double c = std::cos(middle);
-  with_wide_registers([=] {
-    for_lanes(
-        count, [=]<typename Number>(std::size_t i) __attribute__((always_inline)) {
-          const SmallAngle<Number> difference(load<Number>(angle + i) - middle);
-          store<Number>(sine + i, s + (c * difference.sine + s * difference.cosine_less_one));
-          store<Number>(cosine + i, c + (c * difference.cosine_less_one - s * difference.sine));
-        });
-  });
+  for_lanes(
+      count, [=]<typename Number>(std::size_t i) __attribute__((always_inline)) {
+        const SmallAngle<Number> difference(load<Number>(angle + i) - middle);
+        store<Number>(sine + i, s + (c * difference.sine + s * difference.cosine_less_one));
+        store<Number>(cosine + i, c + (c * difference.cosine_less_one - s * difference.sine));
+      });
   return true;
 }
 

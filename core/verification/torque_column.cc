@@ -58,13 +58,11 @@ Eigen::ArrayXd residuals(const NeededTorque& needed, const Eigen::ArrayXd& misma
     const double* const off = mismatches.data() + run.first_knot;
     const double* const departure = needed.departures_from_chord().data() + run.first_piece;
     double* const residual = residuals.data() + run.first_piece;
-    with_wide_registers([=] {
-      for_lanes(
-          run.piece_count, [=]<typename Number>(std::size_t i) __attribute__((always_inline)) {
-            const Number of_knots = greater<Number>(load<Number>(off + i), load<Number>(off + i + 1));
-            store<Number>(residual + i, or_infinite<Number>(load<Number>(departure + i)) + of_knots);
-          });
-    });
+    for_lanes(
+        run.piece_count, [=]<typename Number>(std::size_t i) __attribute__((always_inline)) {
+          const Number of_knots = greater<Number>(load<Number>(off + i), load<Number>(off + i + 1));
+          store<Number>(residual + i, or_infinite<Number>(load<Number>(departure + i)) + of_knots);
+        });
   }
   return residuals;
 }

@@ -30,25 +30,14 @@ void for_each_field(const CallReport& report, Visit visit) {
   for (const LogField& field : report.notes) visit(field.key, value_of(field));
 }
 
-// RFC 8259 knows no infinity.
-void append_json(const Value& value, Line& line) {
+/// In text a word stands as it is; JSON quotes all words, and infinity, which RFC 8259 does not know.
+void append(const Value& value, bool json, Line& line) {
   const auto out = std::back_inserter(line);
   if (const auto* text = std::get_if<std::string_view>(&value)) {
-    fmt::format_to(out, "{}", json_string(*text));
-  } else if (const auto* number = std::get_if<double>(&value)) {
-    std::isfinite(*number) ? fmt::format_to(out, "{:.9g}", *number) : fmt::format_to(out, "\"{}\"", *number);
-  } else {
-    fmt::format_to(out, "{}", std::get<std::int64_t>(value));
-  }
-}
-
-void append_text(const Value& value, Line& line) {
-  const auto out = std::back_inserter(line);
-  if (const auto* text = std::get_if<std::string_view>(&value)) {
-    const bool plain = !text->empty() && text->find_first_of(" \"=\\") == std::string_view::npos;
+    const bool plain = !json && !text->empty() && text->find_first_of(" \"=\\") == std::string_view::npos;
     plain ? fmt::format_to(out, "{}", *text) : fmt::format_to(out, "{}", json_string(*text));
   } else if (const auto* number = std::get_if<double>(&value)) {
-    fmt::format_to(out, "{:.9g}", *number);
+    json && !std::isfinite(*number) ? fmt::format_to(out, "\"{}\"", *number) : fmt::format_to(out, "{:.9g}", *number);
   } else {
     fmt::format_to(out, "{}", std::get<std::int64_t>(value));
   }
@@ -71,7 +60,7 @@ std::string text_of(const CallReport& report) {
   fmt::format_to(std::back_inserter(line), "{} {}", report.method, code_name(report.code));
   for_each_field(report, [&line](std::string_view key, const Value& value) {
     fmt::format_to(std::back_inserter(line), " {}=", key);
-    append_text(value, line);
+    append(value, false, line);
   });
   return fmt::to_string(line);
 }
@@ -82,7 +71,7 @@ std::string json_members_of(const CallReport& report) {
                  json_string(report.method), code_name(report.code));
   for_each_field(report, [&line](std::string_view key, const Value& value) {
     fmt::format_to(std::back_inserter(line), ",{}:", json_string(key));
-    append_json(value, line);
+    append(value, true, line);
   });
   return fmt::to_string(line);
 }

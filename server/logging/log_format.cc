@@ -27,13 +27,15 @@ std::string_view view(const spdlog::string_view_t& text) { return {text.data(), 
 
 bool is_control(unsigned char character) { return character < 0x20 || character == 0x7f; }
 
-// Bytes of printable ASCII that a text begins with, but for some: most texts are nothing else.
-std::size_t plain_length(std::string_view text, std::string_view but_for) {
+// Takes the printable ASCII that a text begins with, but for some, to the end of another: most texts are nothing else.
+void move_plain(std::string_view& text, std::string_view but_for, std::string& to) {
   const auto is_plain = [&](unsigned char character) {
     return character >= 0x20 && character < 0x7f &&
            but_for.find(static_cast<char>(character)) == std::string_view::npos;
   };
-  return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_plain) - text.begin());
+  const auto length = static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_plain) - text.begin());
+  to += text.substr(0, length);
+  text.remove_prefix(length);
 }
 
 // The escape of a control character; empty for all others.
@@ -72,9 +74,7 @@ std::size_t sequence_length(std::string_view text) {
 std::string json_string(std::string_view text) {
   std::string quoted = "\"";
   while (!text.empty()) {
-    const std::size_t plain = plain_length(text, "\"\\");
-    quoted += text.substr(0, plain);
-    text.remove_prefix(plain);
+    move_plain(text, "\"\\", quoted);
     if (text.empty()) break;
     const char character = text.front();
     const std::size_t length = sequence_length(text);
@@ -96,9 +96,7 @@ std::string on_one_line(std::string_view text) {
   std::string line;
   line.reserve(text.size());
   while (!text.empty()) {
-    const std::size_t plain = plain_length(text, "");
-    line += text.substr(0, plain);
-    text.remove_prefix(plain);
+    move_plain(text, "", line);
     if (text.empty()) break;
     const char character = text.front();
     is_control(static_cast<unsigned char>(character)) ? line += escape(static_cast<unsigned char>(character))

@@ -22,7 +22,7 @@ template <typename Number>
 
 [[gnu::always_inline]] inline void fill(const std::vector<double>& a, const std::vector<double>& b,
                                         std::vector<double>& results) {
-  for_lanes(
+  visit_lanes(
       a.size(), [&]<typename Number>(std::size_t i) __attribute__((always_inline)) {
         store<Number>(&results[i], formula<Number>(load<Number>(&a[i]), load<Number>(&b[i])));
       });
@@ -31,7 +31,7 @@ template <typename Number>
 TEST(Lanes, EveryNumberIsVisited) {
   for (std::size_t count = 0; count <= kMostNumbers; ++count) {
     std::set<std::size_t> visited;
-    for_lanes(count, [&]<typename Number>(std::size_t i) {
+    visit_lanes(count, [&]<typename Number>(std::size_t i) {
       for (std::size_t k = 0; k < sizeof(Number) / sizeof(double); ++k) visited.insert(i + k);
     });
     ASSERT_EQ(visited.size(), count);
