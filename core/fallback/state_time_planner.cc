@@ -44,8 +44,8 @@ constexpr std::size_t kFresh = 2;
 /// Afterwards plans that differ compete in turns of such a part of the evaluations: each is that of the best one which
 /// became shorter in its last turn, since the best of all may have come to the end of its way round. How many of the
 /// best take part, and the last part of the evaluations, which is the best one's in any case.
-constexpr std::size_t kInTurn = 4;
-constexpr double kTurnShare = 0.04;
+constexpr std::size_t kInTurn = 3;
+constexpr double kTurnShare = 0.08;
 constexpr double kLastShare = 0.06;
 
 /// Plans whose durations differ by no more than this part went the same way round, as a rule.

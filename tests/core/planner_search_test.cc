@@ -72,6 +72,14 @@ int solved_hard_scenes(HardKind kind, int count) {
 
 TEST(PlannerSearch, IsNearTheOptimumWhereThatIsKnown) { expect_near_the_optimum(30); }
 
+// All plans that compete end so close to the bound that no change is worth a proof, and none has evaluations to spend.
+TEST(PlannerSearch, EndsWhereAllThatCompetesIsAtTheBound) {
+  const Problem problem = forced(random_problem(266));
+  const Plan found = must_plan(problem);
+  EXPECT_THAT(independent_check(problem, found.trajectory), testing::IsEmpty());
+  EXPECT_LE(found.duration, found.certificate.lower_bound * (1.0 + 1e-4));
+}
+
 TEST(PlannerSearch, SolvesAHardSceneOfEachKind) {
   for (const HardKind kind : kHardKinds) {
     if (kind != HardKind::kDrives) {

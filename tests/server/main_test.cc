@@ -5,9 +5,11 @@
 #include <signal.h>
 
 #include <fstream>
+#include <future>
 #include <sstream>
 
 #include "server/request/requests.h"
+#include "tests/server/http_get.h"
 #include "tests/server/paper_request.h"
 #include "tests/server/server_process.h"
 
@@ -98,25 +100,33 @@ TEST(Server, StopsOnSigtermAndSigintWithStatusZero) {
 }
 
 TEST(Server, FinishesARunningSearchWhileItDrains) {
-  ServerProcess process({"--drain-seconds", "120"});
+  ServerProcess process({"--drain-seconds", "120", "--metrics-listen", "0"});
   const std::string address = process.wait_for_address();
+  const std::string metrics_address = process.wait_for_metrics_address();
   ASSERT_NE(address, "") << process.log();
-  wire::PlanMotionStreamRequest request;
-  *request.mutable_request() = paper_request();
-  request.mutable_request()->mutable_options()->add_methods(wire::METHOD_STATE_TIME);
-  request.mutable_request()->mutable_options()->mutable_planning_budget()->set_seconds(2);
-  const auto stub = wire::PlanningService::NewStub(channel_to(address));
+  ASSERT_NE(metrics_address, "") << process.log();
+  wire::PlanMotionRequest request = paper_request();
+  request.mutable_options()->add_methods(wire::METHOD_STATE_TIME);
+  request.mutable_options()->mutable_planning_budget()->set_seconds(2);
+  const auto channel = channel_to(address);
+  const auto stub = wire::PlanningService::NewStub(channel);
   grpc::ClientContext context;
-  const auto reader = stub->PlanMotionStream(&context, request);
-  wire::PlanMotionStreamResponse event;
-  ASSERT_TRUE(reader->Read(&event)) << process.log();  // it is being worked on
+  wire::PlanMotionResponse response;
+  std::promise<grpc::Status> answer;
+  std::future<grpc::Status> answered = answer.get_future();
+  stub->async()->PlanMotion(&context, &request, &response,
+                            [&answer](grpc::Status status) { answer.set_value(std::move(status)); });
+  EXPECT_EQ(health_of(channel, kService), 1);  // on the same connection: the call before it has arrived
+  const std::string in_flight = "dualarm_calls_in_flight{grpc_method=\"PlanMotion\",grpc_service=\"" +
+                                std::string(kService) + "\"} 1";  // and has been taken up
+  while (http_get(metrics_address, "/metrics").find(in_flight) == std::string::npos) {
+    ASSERT_NE(answered.wait_for(std::chrono::milliseconds(5)), std::future_status::ready) << in_flight;
+  }
   process.signal(SIGTERM);
-  while (reader->Read(&event)) continue;
-  const grpc::Status status = reader->Finish();
+  const grpc::Status status = answered.get();
   EXPECT_TRUE(status.ok()) << status.error_message();
-  EXPECT_TRUE(event.outcome().has_plan());
   EXPECT_EQ(process.wait_for_exit(), 0);
-  EXPECT_LT(process.log().find("draining"), process.log().find("PlanMotionStream OK")) << process.log();
+  EXPECT_LT(process.log().find("draining"), process.log().find("PlanMotion OK")) << process.log();
 }
 
 TEST(Server, LogsRegionsThatTakeTooLong) {

@@ -154,15 +154,13 @@ TEST_F(OperatedServer, ServesMetricsOnAPortOfItsOwn) {
   ServerProcess process({"--metrics-listen", "0"});
   const std::string address = process.wait_for_address();
   ASSERT_NE(address, "") << process.log();
-  ASSERT_TRUE(wait_for(process, "listening on"));
-  const std::string log = process.log();
-  std::smatch found;
-  ASSERT_TRUE(std::regex_search(log, found, std::regex("metrics on http://(127\\.0\\.0\\.1:[0-9]+)/metrics"))) << log;
+  const std::string metrics_address = process.wait_for_metrics_address();
+  ASSERT_NE(metrics_address, "") << process.log();
   const auto stub = wire::PlanningService::NewStub(grpc::CreateChannel(address, grpc::InsecureChannelCredentials()));
   grpc::ClientContext context;
   wire::PlanMotionResponse response;
   ASSERT_TRUE(stub->PlanMotion(&context, paper_request(), &response).ok());
-  const std::string metrics = http_get(found[1], "/metrics");
+  const std::string metrics = http_get(metrics_address, "/metrics");
   EXPECT_THAT(metrics, HasSubstr("dualarm_plans_total{method=\"METHOD_PASSAGE\"} 1"));
   EXPECT_THAT(metrics, HasSubstr("dualarm_pool_waiting{"));
   EXPECT_THAT(metrics, HasSubstr("process_resident_memory_bytes "));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -55,6 +56,17 @@ std::string ServerProcess::wait_for_address() {
   while (!has_exited()) {
     const std::string port = content(folder_.path() / "port");
     if (port.ends_with('\n')) return "127.0.0.1:" + port.substr(0, port.size() - 1);
+    std::this_thread::sleep_for(kPollPeriod);
+  }
+  return "";
+}
+
+std::string ServerProcess::wait_for_metrics_address() {
+  while (!has_exited()) {
+    std::smatch found;
+    const std::string all = log();
+    if (std::regex_search(all, found, std::regex("metrics on http://(127\\.0\\.0\\.1:[0-9]+)/metrics")))
+      return found[1];
     std::this_thread::sleep_for(kPollPeriod);
   }
   return "";

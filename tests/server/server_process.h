@@ -23,6 +23,9 @@ class ServerProcess {
   /// Waits until it has written its port; "" if it ended before.
   std::string wait_for_address();
 
+  /// Waits until it has said where its metrics are; "" if it ended before.
+  std::string wait_for_metrics_address();
+
   pid_t pid() const { return pid_; }
   void signal(int number) const;
 

